@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// One function per command, each in a file of its own: calls the library and prints. No mathematics here.
+
+#pragma once
+
+#include "cli/exit_code.h"
+#include "cli/options.h"
+#include "internode/report/generator.h"
+
+namespace internode::cli {
+
+/// What a command needs of its surroundings.
+using Context = CommonOptions;
+
+/// What stands in the metadata of outputs.
+[[nodiscard]] Generator generator(const Context& context);
+
+ExitCode run(const ValidateOptions& options, const Context& context);
+ExitCode run(const MasksOptions& options, const Context& context);
+ExitCode run(const SubdivideOptions& options, const Context& context);
+ExitCode run(const ConvergeOptions& options, const Context& context);
+ExitCode run(const WordOptions& options, const Context& context);
+ExitCode run(const FormatOptions& options, const Context& context);
+ExitCode run(const GrammarsOptions& options, const Context& context);
+ExitCode run(const LimitsOptions& options, const Context& context);
+ExitCode run(const VersionOptions& options, const Context& context);
+ExitCode run(const HelpRequest& request, const Context& context);
+
+} // namespace internode::cli

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/grammar/limits.h"
+#include "cli/commands.h"
+#include "cli/output.h"
+#include "internode/curve/curve.h"
+#include "internode/interval/validity.h"
+#include "internode/io/limits.h"
+#include "internode/report/graph_picture.h"
+#include "internode/stencil/automaton.h"
+
+#include <fmt/format.h>
+
+namespace internode::cli {
+namespace {
+
+std::string row(std::string_view name, std::uint64_t value, std::string_view unit) {
+    return fmt::format("{:<58} {:>12} {}\n", name, value, unit);
+}
+
+} // namespace
+
+ExitCode run(const LimitsOptions&, const Context&) {
+    std::string text;
+    for (const auto& limit : grammar_limits) text += row(limit.name, limit.value, limit.unit);
+    for (const auto& limit : input_limits) text += row(limit.name, limit.value, limit.unit);
+    const ValidityLimits validity;
+    text += row("class with an exact ratio (beyond: enclosures)", validity.exact_class, "symbols");
+    text += row("degree of an exact field (beyond: enclosures)", validity.field_degree, "");
+    text += row("degree of a spline", max_degree, "");
+    text += row("states of a stencil automaton", max_states, "states");
+    text += row("words in a table of masks", max_table_words, "words");
+    text += row("words drawn on a circle", max_drawn_words, "words");
+    text += row("points of a refinement (--max-points)", SubdivideOptions{}.polygon.max_points, "points");
+    text += row("letters of `word` (--max-letters)", WordOptions{}.max_letters, "letters");
+    write_output("-", text);
+    return ExitCode::Success;
+}
+
+} // namespace internode::cli

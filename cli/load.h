@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+//
+// From what the command line names to checked values: grammar, valid system, curve.
+
+#pragma once
+
+#include "cli/options.h"
+#include "internode/curve/curve.h"
+#include "internode/grammar/interval_grammar.h"
+#include "internode/grammar/parse.h"
+#include "internode/interval/validity.h"
+
+#include <string>
+
+namespace internode::cli {
+
+/// \throw Failure: File when it cannot be read, Refused with all its errors, Usage for an unknown @name
+[[nodiscard]] IntervalGrammar load_grammar(const GrammarSource& source);
+
+/// A grammar that must be valid, exactly. \throw Failure as load_grammar; Refused with the verdict's reasons
+[[nodiscard]] IntervalSystem load_system(const GrammarSource& source);
+
+/// The word of --word. \throw Failure (Refused) with every error in it
+[[nodiscard]] ParsedWord load_word(const std::string& text, const Alphabet& alphabet);
+
+/// A text file or stdin, whole. \throw Failure (File, or Refused when it is too large or no text)
+struct LoadedText {
+    std::string text;
+    std::string source;
+};
+[[nodiscard]] LoadedText load_text(const std::string& place);
+
+/// How a grammar is called in outputs: its own name, else the place it came from.
+[[nodiscard]] std::string display_name(const IntervalGrammar& grammar, const GrammarSource& source);
+
+} // namespace internode::cli

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+//
+// What a user asked for, as values: one aggregate per command, filled by command_line.cpp and by nothing else.
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace internode::cli {
+
+/// Words that `masks` tabulates at most.
+inline constexpr std::size_t max_table_words = 200'000;
+
+enum class Color { Auto, Always, Never };
+
+/// Said before or after any command.
+struct CommonOptions {
+    Color color = Color::Auto;
+    bool quiet = false;
+    bool verbose = false;
+    std::string command_line; ///< base names, no -o: stands in the outputs
+};
+
+/// A file, `@name`, `-` for stdin, or the text given with -e.
+struct GrammarSource {
+    std::string place;                     ///< empty when `expression` is given
+    std::optional<std::string> expression; ///< -e TEXT
+};
+
+/// -o FILE and --format; the format is empty when neither says it.
+struct OutputTarget {
+    std::string file = "-";
+    std::string format;
+};
+
+struct ValidateOptions {
+    GrammarSource grammar;
+    OutputTarget output;
+};
+
+struct MasksOptions {
+    GrammarSource grammar;
+    OutputTarget output;
+    int degree = 0;
+    bool all = false;
+    std::string word; ///< of --matrix; empty = the axiom
+};
+
+/// How the word of a polygon is said on the command line.
+enum class EndsOption { Unsaid, Open, Closed, Clamped };
+
+struct PolygonOptions {
+    std::string place; ///< CSV or JSON file, `-` for stdin
+    std::optional<int> degree;
+    std::string word; ///< --word; empty = the JSON's, or the axiom
+    bool repeat = false;
+    EndsOption ends = EndsOption::Unsaid;
+    std::uint64_t max_points = 100'000'000;
+};
+
+struct SubdivideOptions {
+    GrammarSource grammar;
+    PolygonOptions polygon;
+    OutputTarget output;
+    std::uint64_t steps = 0;
+    bool limit = false;
+    bool plan = false;
+    std::string axes; ///< "1,2" of --axes; empty = the first two
+};
+
+struct ConvergeOptions {
+    GrammarSource grammar;
+    PolygonOptions polygon;
+    OutputTarget output;
+    std::uint64_t steps = 0;
+    std::optional<double> tolerance;
+    std::string html; ///< a file for the page; empty = none
+};
+
+struct WordOptions {
+    GrammarSource grammar;
+    OutputTarget output;
+    std::string word;
+    std::uint64_t steps = 0;
+    std::uint64_t max_letters = 10'000'000;
+};
+
+struct FormatOptions {
+    GrammarSource grammar;
+    OutputTarget output;
+};
+
+struct GrammarsOptions {
+    std::string name; ///< empty = the list
+};
+
+struct LimitsOptions {};
+struct VersionOptions {};
+
+/// Help was asked for: the text to print.
+struct HelpRequest {
+    std::string text;
+};
+
+using Request = std::variant<ValidateOptions, MasksOptions, SubdivideOptions, ConvergeOptions, WordOptions,
+                             FormatOptions, GrammarsOptions, LimitsOptions, VersionOptions, HelpRequest>;
+
+} // namespace internode::cli

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+
+#include "cli/commands.h"
+#include "cli/load.h"
+#include "cli/output.h"
+#include "cli/polygon.h"
+#include "internode/curve/limit.h"
+#include "internode/curve/refinement.h"
+#include "internode/io/csv.h"
+#include "internode/io/curve_json.h"
+#include "internode/io/npy.h"
+#include "internode/io/number.h"
+#include "internode/io/obj.h"
+#include "internode/report/curve_picture.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace internode::cli {
+namespace {
+
+/// What --plan says, and what is checked before any work.
+RefinementSize planned(const Curve& curve, const SubdivideOptions& options) {
+    const RefinementSize size = refined_size(curve, options.steps, options.polygon.max_points);
+    if (size.exceeded)
+        throw failure(ExitCode::Refused,
+                      fmt::format("{} steps give more than {} points", options.steps, options.polygon.max_points),
+                      "fewer steps, or a larger --max-points");
+    return size;
+}
+
+void print_plan(const Curve& curve, const SubdivideOptions& options) {
+    const RefinementSize size = planned(curve, options);
+    const Refinement refinement(curve);
+    write_output("-", fmt::format("points {}\nbytes of points {}\nbytes of memory {}\nstates {}\nrows {}\n",
+                                  size.points, size.points * curve.dimension() * sizeof(double), size.bytes,
+                                  refinement.automaton().state_count(), refinement.automaton().row_count()));
+}
+
+/// "1,3" as two different coordinates counted from 0. \throw Failure
+PictureAxes chosen_axes(const std::string& text, std::size_t dimension) {
+    PictureAxes axes;
+    axes.up = dimension > 1 ? 1 : 0;
+    if (text.empty()) return axes;
+    std::size_t pair[2] = {0, 0};
+    const char* const end = text.data() + text.size();
+    const auto first = std::from_chars(text.data(), end, pair[0]);
+    const bool comma = first.ec == std::errc() && first.ptr != end && *first.ptr == ',';
+    const auto second = comma ? std::from_chars(first.ptr + 1, end, pair[1]) : first;
+    const bool whole = comma && second.ec == std::errc() && second.ptr == end;
+    if (!whole || pair[0] < 1 || pair[1] < 1 || pair[0] > dimension || pair[1] > dimension || pair[0] == pair[1])
+        throw failure(ExitCode::Usage,
+                      fmt::format("--axes wants two different coordinates between 1 and {}, like 1,2", dimension));
+    return {pair[0] - 1, pair[1] - 1};
+}
+
+/// A row per point with its parameter in front, as NPY has no names.
+std::vector<double> with_parameter(const LimitPoints& limit, std::size_t dimension) {
+    std::vector<double> rows;
+    rows.reserve(limit.parameters.size() * (dimension + 1));
+    for (std::size_t i = 0; i < limit.parameters.size(); ++i) {
+        rows.push_back(limit.parameters[i]);
+        const auto first = limit.points.begin() + static_cast<std::ptrdiff_t>(i * dimension);
+        rows.insert(rows.end(), first, first + static_cast<std::ptrdiff_t>(dimension));
+    }
+    return rows;
+}
+
+std::vector<std::string> column_names(const LoadedCurve& loaded) {
+    return loaded.columns.empty() ? coordinate_names(loaded.curve.dimension()) : loaded.columns;
+}
+
+void write_limit(Sink& sink, const std::string& format, const Refinement& refinement, const LoadedCurve& loaded) {
+    const LimitPoints limit = limit_points(refinement);
+    const std::size_t dimension = loaded.curve.dimension();
+    const PointsView points{dimension, limit.points};
+    if (format == "csv") {
+        CsvOptions csv;
+        csv.header = column_names(loaded);
+        csv.header.insert(csv.header.begin(), "t");
+        csv.parameter = limit.parameters;
+        write_csv(sink, points, csv);
+    } else if (format == "npy") {
+        const std::vector<double> rows = with_parameter(limit, dimension);
+        write_npy(sink, {dimension + 1, rows});
+    } else {
+        write_obj(sink, points, refinement.curve().ends());
+    }
+}
+
+/// The lengths of the letters at the curve's step, a_i / ρ^s: with them the file reads back as the same curve.
+std::vector<CurveLength> current_lengths(const Curve& curve) {
+    const IntervalSystem& system = curve.system();
+    const Number scale = pow(system.ratio(), -curve.step());
+    std::vector<CurveLength> lengths;
+    for (std::size_t i = 0; i < system.alphabet().size(); ++i) {
+        if (!system.occurs(to_symbol(i))) continue;
+        const Number length = system.lengths()[i] * scale;
+        CurveLength& row = lengths.emplace_back();
+        row.symbol = system.alphabet().names()[i];
+        row.value = length.to_double();
+        for (const Rational& coefficient : length.coefficients(system.field()))
+            row.exact.push_back(to_string(coefficient));
+    }
+    return lengths;
+}
+
+void write_json(Sink& sink, const Curve& curve, const Context& context) {
+    CurveDocument document;
+    document.version = generator(context).version;
+    document.command = context.command_line;
+    document.degree = static_cast<std::size_t>(curve.degree());
+    document.ends = curve.ends();
+    document.symbols = curve.system().alphabet().names();
+    document.word = curve.word();
+    document.lengths = current_lengths(curve);
+    document.points = {curve.dimension(), curve.points()};
+    write_curve_json(sink, document);
+}
+
+void write_polygon(Sink& sink, const std::string& format, const Curve& curve, const LoadedCurve& loaded,
+                   const Context& context) {
+    const PointsView points{curve.dimension(), curve.points()};
+    if (format == "csv")
+        write_csv(sink, points, {column_names(loaded), {}});
+    else if (format == "npy")
+        write_npy(sink, points);
+    else if (format == "obj")
+        write_obj(sink, points, curve.ends(),
+                  std::vector<std::string>{"internode " + generator(context).version, context.command_line});
+    else
+        write_json(sink, curve, context);
+}
+
+void check_format(const SubdivideOptions& options, const std::string& format, std::size_t dimension) {
+    if (format == "obj" && dimension > max_obj_dimension)
+        throw failure(ExitCode::Refused,
+                      fmt::format("OBJ has at most {} coordinates, the points have {}", max_obj_dimension, dimension),
+                      "use CSV, JSON or NPY");
+    if (options.limit && format == "json")
+        throw failure(ExitCode::Usage, "points of the curve have no word: --limit has no JSON form",
+                      "use CSV, NPY or OBJ; SVG always draws the curve");
+}
+
+std::string picture_title(const SubdivideOptions& options, const LoadedCurve& loaded) {
+    return fmt::format("{} under {}, degree {}, {} {}", loaded.source,
+                       display_name(loaded.curve.system().grammar(), options.grammar), loaded.curve.degree(),
+                       options.steps, options.steps == 1 ? "step" : "steps");
+}
+
+} // namespace
+
+ExitCode run(const SubdivideOptions& options, const Context& context) {
+    const std::string format = chosen_format(options.output, {"csv", "json", "npy", "obj", "svg"}, "csv");
+    const IntervalSystem system = load_system(options.grammar);
+    const LoadedCurve loaded = load_curve(system, options.polygon);
+    if (options.plan) {
+        if (options.output.file != "-") throw failure(ExitCode::Usage, "--plan writes no file: leave -o out");
+        print_plan(loaded.curve, options);
+        return ExitCode::Success;
+    }
+    check_format(options, format, loaded.curve.dimension());
+    const RefinementSize size = planned(loaded.curve, options);
+    const PictureAxes axes = chosen_axes(options.axes, loaded.curve.dimension());
+    Output output(options.output.file);
+    Refinement refinement(loaded.curve);
+    Progress progress(context);
+    for (std::uint64_t step = 0; step < options.steps; ++step) {
+        progress.show("points", refinement.curve().size(), size.points);
+        refinement.step();
+    }
+    if (context.verbose)
+        say(context, fmt::format("{} points from {} by {} stencils of {} states\n", size.points, loaded.curve.size(),
+                                 refinement.automaton().row_count(), refinement.automaton().state_count()));
+    if (format == "svg")
+        output.sink().write(curve_picture(planar_curve(loaded.curve, refinement, axes),
+                                          {picture_title(options, loaded), generator(context)}));
+    else if (options.limit)
+        write_limit(output.sink(), format, refinement, loaded);
+    else
+        write_polygon(output.sink(), format, refinement.curve(), loaded, context);
+    output.commit();
+    return ExitCode::Success;
+}
+
+} // namespace internode::cli

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/curve/distance.h"
+
+#include "internode/curve/deviation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace internode {
+
+namespace {
+
+/// Relative gap at which a piece is no longer halved: 2^-30.
+constexpr double search_gap = 0x1p-30;
+/// Halvings of one piece at most; its ends then coincide in double.
+constexpr int search_depth = 52;
+/// Rounding in a Bernstein coefficient: at most 11 products of non-negative factors, 11 sums, a norm of relative error
+/// below (dimension + 3) / 2 units, and 52 halvings of half a unit each; for the dimensions in use far below 2^-44.
+constexpr double rounding_margin = 0x1p-44;
+/// Tables kept at once; a word with more different windows than that only recomputes some.
+constexpr std::size_t table_limit = 1024;
+
+/// The largest power of two that is at most value > 0.
+double power_of_two_below(double value) {
+    int exponent = 0;
+    (void)std::frexp(value, &exponent);
+    return std::ldexp(1.0, exponent - 1);
+}
+
+/// Divides all values by a power of two so that the largest is in [1, 2) in magnitude. Returns that power; 0 for zeros.
+double normalise(std::vector<double>& values) {
+    double largest = 0;
+    for (const double value : values) largest = std::max(largest, std::abs(value));
+    if (largest == 0) return 0;
+    const double scale = power_of_two_below(largest);
+    for (double& value : values) value /= scale;
+    return scale;
+}
+
+double norm(const double* vector, std::size_t dimension) {
+    double largest = 0;
+    for (std::size_t c = 0; c < dimension; ++c) largest = std::max(largest, std::abs(vector[c]));
+    if (largest == 0) return 0;
+    double sum = 0;
+    for (std::size_t c = 0; c < dimension; ++c) sum += (vector[c] / largest) * (vector[c] / largest);
+    return largest * std::sqrt(sum);
+}
+
+/// The supremum of ‖p(x)‖ over many Bézier pieces p, by halving and the convex hull of the control points.
+class Supremum {
+public:
+    Supremum(std::size_t degree, std::size_t dimension)
+        : degree_(degree)
+        , dimension_(dimension) {}
+
+    /// A value attained at some point.
+    [[nodiscard]] double attained() const { return attained_; }
+    /// A value that is never exceeded.
+    [[nodiscard]] double bound() const { return std::max(attained_, bound_); }
+
+    /// Takes degree + 1 Bernstein coefficients of `dimension` numbers into account.
+    void add(const std::vector<double>& coefficients) {
+        if (settle(look_at(coefficients))) return;
+        pending_.clear();
+        halve({coefficients, 0});
+        while (!pending_.empty()) {
+            Piece piece = std::move(pending_.back());
+            pending_.pop_back();
+            const double hull = look_at(piece.coefficients);
+            if (piece.halvings == search_depth)
+                bound_ = std::max(bound_, hull);
+            else if (!settle(hull))
+                halve(std::move(piece));
+        }
+    }
+
+private:
+    struct Piece {
+        std::vector<double> coefficients;
+        int halvings;
+    };
+
+    /// Whether a piece below this hull cannot matter beyond the gap; it then counts in the bound.
+    bool settle(double hull) {
+        if (hull > attained_ * (1 + search_gap)) return false;
+        bound_ = std::max(bound_, hull);
+        return true;
+    }
+
+    /// The largest norm of a control point; the ends are attained.
+    double look_at(const std::vector<double>& coefficients) {
+        double hull = 0;
+        for (std::size_t b = 0; b <= degree_; ++b) {
+            const double size = norm(coefficients.data() + b * dimension_, dimension_);
+            hull = std::max(hull, size);
+            if (b == 0 || b == degree_) attained_ = std::max(attained_, size);
+        }
+        return hull;
+    }
+
+    /// De Casteljau at 1/2: `right` ends as the right half, its first entries of each level as the left one.
+    void halve(Piece piece) {
+        std::vector<double>& right = piece.coefficients;
+        std::vector<double> left(right.size());
+        for (std::size_t b = 0; b <= degree_; ++b) {
+            std::copy_n(right.data(), dimension_, left.data() + b * dimension_);
+            for (std::size_t i = 0; i < (degree_ - b) * dimension_; ++i)
+                right[i] = 0.5 * right[i] + 0.5 * right[i + dimension_];
+        }
+        pending_.push_back({std::move(left), piece.halvings + 1});
+        pending_.push_back({std::move(piece.coefficients), piece.halvings + 1});
+    }
+
+    std::size_t degree_;
+    std::size_t dimension_;
+    double attained_ = 0;
+    double bound_ = 0;
+    std::vector<Piece> pending_;
+};
+
+/// a_i of every symbol of the word, and 0 for the letter `0`.
+class LetterLengths {
+public:
+    explicit LetterLengths(const Curve& curve)
+        : lengths_(curve.system().alphabet().size()) {
+        for (const Symbol symbol : curve.word())
+            if (symbol != zero_interval && lengths_[to_index(symbol)] == 0)
+                lengths_[to_index(symbol)] = curve.system().length(symbol).to_double();
+    }
+    double operator[](Symbol symbol) const { return symbol == zero_interval ? 0 : lengths_[to_index(symbol)]; }
+
+private:
+    std::vector<double> lengths_;
+};
+
+/// Indices of control points and letters of a curve, taken modulo N where it is closed.
+struct Wrap {
+    std::size_t size;
+    bool closed;
+    std::size_t operator()(std::size_t index) const { return closed ? index % size : index; }
+};
+
+/// The slope jumps D_i of the polygon, N rows. Rows that no piece uses (the ends of an open curve, the two sides of a
+/// break) stay 0.
+std::vector<double> slope_jumps(const Curve& curve, const std::vector<double>& points, const LetterLengths& lengths) {
+    const auto degree = static_cast<std::size_t>(curve.degree());
+    const std::size_t size = curve.size();
+    const std::size_t dimension = curve.dimension();
+    const Word& word = curve.word();
+    const bool closed = curve.ends() == Ends::Circular;
+    // ξ_{k+1} - ξ_k = (t_{k+d+1} - t_{k+1}) / d, a sum of d lengths.
+    const auto gap = [&](std::size_t k) {
+        double sum = 0;
+        for (std::size_t i = 1; i <= degree; ++i) sum += lengths[word[(k + i) % word.size()]];
+        return sum / curve.degree();
+    };
+    std::vector<double> jumps(points.size());
+    for (std::size_t i = closed ? 0 : 1; i + (closed ? 0 : 1) < size; ++i) {
+        const std::size_t before = i == 0 ? size - 1 : i - 1;
+        const std::size_t after = i + 1 == size ? 0 : i + 1;
+        const double left = gap(before);
+        const double right = gap(i);
+        if (left == 0 || right == 0) continue;
+        for (std::size_t c = 0; c < dimension; ++c) {
+            const double v = points[i * dimension + c];
+            jumps[i * dimension + c] =
+                (points[after * dimension + c] - v) / right - (v - points[before * dimension + c]) / left;
+        }
+    }
+    return jumps;
+}
+
+std::vector<double> norms(const std::vector<double>& rows, std::size_t dimension) {
+    std::vector<double> sizes(rows.size() / dimension);
+    for (std::size_t i = 0; i < sizes.size(); ++i) sizes[i] = norm(rows.data() + i * dimension, dimension);
+    return sizes;
+}
+
+/// Both searches over every piece of the curve: Σ D_i β_i and Σ ‖D_i‖ β_i.
+class Search {
+public:
+    Search(const Curve& curve, const LetterLengths& lengths)
+        : curve_(curve)
+        , degree_(static_cast<std::size_t>(curve.degree()))
+        , wrap_{curve.size(), curve.ends() == Ends::Circular}
+        , lengths_(lengths)
+        , error_(degree_, curve.dimension())
+        , envelope_(degree_, 1) {}
+
+    void run(const std::vector<double>& jumps, const std::vector<double>& sizes) {
+        const std::size_t first = wrap_.closed ? 0 : degree_;
+        for (std::size_t j = first; j < curve_.size(); ++j) {
+            if (curve_.word()[j] == zero_interval) continue;
+            const Table& near = table(j);
+            if (reach(near, j, sizes) <= std::min(error_.attained(), envelope_.attained())) continue;
+            for (const DeviationPiece& piece : near.pieces) {
+                error_.add(combination(piece, j, jumps, curve_.dimension()));
+                envelope_.add(combination(piece, j, sizes, 1));
+            }
+        }
+    }
+    [[nodiscard]] const Supremum& error() const { return error_; }
+    [[nodiscard]] const Supremum& envelope() const { return envelope_; }
+
+private:
+    struct Table {
+        std::vector<DeviationPiece> pieces;
+        std::vector<double> largest; ///< of each β_i: its largest Bernstein coefficient over the pieces
+    };
+
+    /// Place j - d + 1: of the window's first letter, and of the first slope jump. Kept non-negative by whole turns of
+    /// a closed word.
+    [[nodiscard]] std::size_t first_place(std::size_t j) const {
+        return wrap_.closed ? j + 1 + (degree_ * wrap_.size - degree_) : j + 1 - degree_;
+    }
+
+    /// A bound on envelope and error over interval j, at the cost of one sum.
+    [[nodiscard]] double reach(const Table& near, std::size_t j, const std::vector<double>& sizes) const {
+        double sum = 0;
+        for (std::size_t i = 0; i + 1 < degree_; ++i) sum += near.largest[i] * sizes[wrap_(first_place(j) + i)];
+        return sum * (1 + rounding_margin);
+    }
+
+    const Table& table(std::size_t j) {
+        const Word& word = curve_.word();
+        window_.resize(2 * degree_ - 1);
+        const std::size_t first = first_place(j);
+        for (std::size_t i = 0; i < window_.size(); ++i) window_[i] = word[wrap_(first + i)];
+        if (tables_.size() > table_limit) tables_.clear();
+        const auto [place, is_new] = tables_.try_emplace(window_);
+        if (is_new) {
+            std::vector<double> local;
+            for (const Symbol symbol : window_) local.push_back(lengths_[symbol]);
+            place->second = make_table(local);
+        }
+        return place->second;
+    }
+
+    [[nodiscard]] Table make_table(const std::vector<double>& lengths) const {
+        Table result{deviation_pieces(lengths), std::vector<double>(degree_ - 1)};
+        for (const DeviationPiece& piece : result.pieces)
+            for (std::size_t k = 0; k < piece.coefficients.size(); ++k) {
+                double& largest = result.largest[k % (degree_ - 1)];
+                largest = std::max(largest, std::abs(piece.coefficients[k]));
+            }
+        return result;
+    }
+
+    /// Bernstein coefficients Σ_i β_i D_i over one piece of interval j; D_i are rows of `dimension` numbers.
+    const std::vector<double>& combination(const DeviationPiece& piece, std::size_t j, const std::vector<double>& rows,
+                                           std::size_t dimension) {
+        coefficients_.assign((degree_ + 1) * dimension, 0);
+        const std::size_t first = first_place(j);
+        for (std::size_t b = 0; b <= degree_; ++b)
+            for (std::size_t i = 0; i + 1 < degree_; ++i) {
+                const double weight = piece.coefficients[b * (degree_ - 1) + i];
+                const double* row = rows.data() + wrap_(first + i) * dimension;
+                for (std::size_t c = 0; c < dimension; ++c) coefficients_[b * dimension + c] += weight * row[c];
+            }
+        return coefficients_;
+    }
+
+    const Curve& curve_;
+    std::size_t degree_;
+    Wrap wrap_;
+    const LetterLengths& lengths_;
+    Supremum error_;
+    Supremum envelope_;
+    Word window_;
+    std::vector<double> coefficients_;
+    std::unordered_map<Word, Table, WordHash> tables_;
+};
+
+} // namespace
+
+PolygonDistance polygon_distance(const Curve& curve) {
+    PolygonDistance distance;
+    if (curve.degree() == 1) return distance;
+    // The distance does not depend on the scale of the parameter: the lengths of step 0 serve every step. Powers of two
+    // keep differences and squares of extreme coordinates finite and cost no digit.
+    const LetterLengths lengths(curve);
+    std::vector<double> points = curve.points();
+    const double point_scale = normalise(points);
+    if (point_scale == 0) return distance;
+    std::vector<double> jumps = slope_jumps(curve, points, lengths);
+    const double jump_scale = normalise(jumps);
+    if (jump_scale == 0) return distance;
+
+    Search search(curve, lengths);
+    search.run(jumps, norms(jumps, curve.dimension()));
+    const auto scaled = [&](double value) { return value * jump_scale * point_scale; };
+    distance.error = scaled(search.error().attained());
+    distance.error_bound = scaled(search.error().bound() * (1 + rounding_margin));
+    distance.envelope = scaled(std::max(search.envelope().bound(), search.error().bound()) * (1 + rounding_margin));
+    return distance;
+}
+
+} // namespace internode

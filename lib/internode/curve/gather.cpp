@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/curve/gather.h"
+
+#include <algorithm>
+
+namespace internode {
+
+const double* Parents::rows(std::ptrdiff_t first) {
+    const auto size = static_cast<std::ptrdiff_t>(points_.size() / dimension_);
+    if (first >= 0 && first + static_cast<std::ptrdiff_t>(width_) <= size)
+        return points_.data() + static_cast<std::size_t>(first) * dimension_;
+    auto parent = static_cast<std::size_t>((first % size + size) % size);
+    for (std::size_t k = 0; k < width_; ++k) {
+        std::copy_n(points_.data() + parent * dimension_, dimension_, wrapped_.data() + k * dimension_);
+        if (++parent == static_cast<std::size_t>(size)) parent = 0;
+    }
+    return wrapped_.data();
+}
+
+void combine(std::span<const double> weights, const double* rows, std::size_t dimension, double* out) {
+    std::size_t begin = 0;
+    std::size_t end = weights.size();
+    while (begin + 1 < end && weights[begin] == 0) ++begin;
+    while (begin + 1 < end && weights[end - 1] == 0) --end;
+    for (std::size_t c = 0; c < dimension; ++c) {
+        double sum = weights[begin] * rows[begin * dimension + c];
+        for (std::size_t k = begin + 1; k < end; ++k) sum += weights[k] * rows[k * dimension + c];
+        out[c] = sum;
+    }
+}
+
+} // namespace internode

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/curve/parameter.h"
+
+#include <algorithm>
+
+namespace internode {
+
+namespace {
+
+/// hi + lo, |lo| at most half a unit in the last place of hi: about 106 bits.
+struct DoubleDouble {
+    double hi = 0;
+    double lo = 0;
+};
+
+/// Knuth's two-sum: hi + lo = a + b exactly.
+DoubleDouble two_sum(double a, double b) {
+    const double sum = a + b;
+    const double part = sum - a;
+    return {sum, (a - (sum - part)) + (b - part)};
+}
+
+DoubleDouble operator+(DoubleDouble a, DoubleDouble b) {
+    const DoubleDouble high = two_sum(a.hi, b.hi);
+    const DoubleDouble low = two_sum(a.lo, b.lo);
+    const DoubleDouble sum = two_sum(high.hi, high.lo + low.hi);
+    return two_sum(sum.hi, sum.lo + low.lo);
+}
+
+DoubleDouble operator-(DoubleDouble a) {
+    return {-a.hi, -a.lo};
+}
+
+DoubleDouble to_double_double(const Number& number) {
+    const double hi = number.to_double();
+    return {hi, (number - Number(to_rational(hi))).to_double()};
+}
+
+/// a_i / ρ^s of every symbol of the curve's word.
+class Lengths {
+public:
+    explicit Lengths(const Curve& curve)
+        : lengths_(curve.system().alphabet().size()) {
+        const Number scale = pow(curve.system().ratio(), -curve.step());
+        std::vector<bool> known(lengths_.size());
+        for (const Symbol symbol : curve.word()) {
+            if (symbol == zero_interval || known[to_index(symbol)]) continue;
+            known[to_index(symbol)] = true;
+            lengths_[to_index(symbol)] = to_double_double(curve.system().length(symbol) * scale);
+        }
+    }
+    DoubleDouble operator[](Symbol symbol) const {
+        return symbol == zero_interval ? DoubleDouble{} : lengths_[to_index(symbol)];
+    }
+
+private:
+    std::vector<DoubleDouble> lengths_;
+};
+
+/// t_0 … t_{N+d}, of open and closed curves alike.
+std::vector<DoubleDouble> long_knots(const Curve& curve) {
+    const Lengths lengths(curve);
+    const Word& word = curve.word();
+    const auto degree = static_cast<std::size_t>(curve.degree());
+    const std::size_t origin = curve.ends() == Ends::Open ? degree : 0;
+    std::vector<DoubleDouble> knots(curve.size() + degree + 1);
+    for (std::size_t i = origin; i > 0; --i) knots[i - 1] = knots[i] + -lengths[word[i - 1]];
+    for (std::size_t i = origin; i + 1 < knots.size(); ++i) knots[i + 1] = knots[i] + lengths[word[i % word.size()]];
+    return knots;
+}
+
+} // namespace
+
+std::vector<double> knot_positions(const Curve& curve) {
+    const std::vector<DoubleDouble> knots = long_knots(curve);
+    const std::size_t count = curve.ends() == Ends::Open ? knots.size() : curve.size() + 1;
+    std::vector<double> positions(count);
+    for (std::size_t i = 0; i < count; ++i) positions[i] = knots[i].hi;
+    return positions;
+}
+
+std::vector<double> greville_abscissae(const Curve& curve) {
+    const std::vector<DoubleDouble> knots = long_knots(curve);
+    const auto degree = static_cast<std::size_t>(curve.degree());
+    std::vector<double> abscissae(curve.size());
+    for (std::size_t k = 0; k < abscissae.size(); ++k) {
+        // The mean of differences from the first knot: they are small, so the division costs nothing.
+        const DoubleDouble first = knots[k + 1];
+        DoubleDouble sum;
+        for (std::size_t i = 2; i <= degree; ++i) sum = sum + (knots[k + i] + -first);
+        abscissae[k] = (first + DoubleDouble{sum.hi / curve.degree(), 0}).hi;
+    }
+    return abscissae;
+}
+
+double interval_length(const Curve& curve, Symbol symbol) {
+    if (symbol == zero_interval) return 0;
+    return (curve.system().length(symbol) * pow(curve.system().ratio(), -curve.step())).to_double();
+}
+
+double largest_interval(const Curve& curve) {
+    const Lengths lengths(curve);
+    double largest = 0;
+    for (const Symbol symbol : curve.domain()) largest = std::max(largest, lengths[symbol].hi);
+    return largest;
+}
+
+} // namespace internode

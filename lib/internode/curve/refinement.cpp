@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/curve/refinement.h"
+
+#include "internode/curve/gather.h"
+
+#include <algorithm>
+#include <cassert>
+#include <stdexcept>
+
+namespace internode {
+
+namespace {
+
+/// What one point, with its letter and its state, occupies.
+std::uint64_t bytes_per_point(const Curve& curve) {
+    return curve.dimension() * sizeof(double) + sizeof(Symbol) + sizeof(std::uint32_t);
+}
+
+void append(Word& word, WordView letters) {
+    word.insert(word.end(), letters.begin(), letters.end());
+}
+
+/// The number of cells after a step from these states.
+std::size_t cells_after(const StencilAutomaton& automaton, const std::vector<std::uint32_t>& states) {
+    std::size_t cells = 0;
+    for (const std::uint32_t state : states) cells += automaton.children(state).size();
+    return cells;
+}
+
+} // namespace
+
+RefinementSize refined_size(const Curve& curve, std::uint64_t steps, std::uint64_t cap) {
+    // An open curve has d points more than its domain has letters.
+    const std::uint64_t extra = curve.ends() == Ends::Open ? static_cast<std::uint64_t>(curve.degree()) : 0;
+    const std::uint64_t room = std::min(cap, std::uint64_t{1} << 61) - std::min(cap, extra);
+    const auto points_after = [&](std::uint64_t count) {
+        return letter_counts(curve.system().rules(), curve.domain(), count, room);
+    };
+    const LetterCounts last = points_after(steps);
+    RefinementSize size;
+    size.points = last.total + extra;
+    size.exceeded = last.saturated || size.points > cap;
+    if (size.exceeded) size.points = std::max(size.points, cap + 1);
+    const std::uint64_t before = steps == 0 ? 0 : points_after(steps - 1).total + extra;
+    const std::uint64_t each = bytes_per_point(curve);
+    const std::uint64_t most = ~std::uint64_t{0} / each;
+    size.bytes = size.points + before > most ? ~std::uint64_t{0} : (size.points + before) * each;
+    return size;
+}
+
+Word refined_word(const Morphism& rules, WordView word, int degree, Ends ends) {
+    if (ends == Ends::Circular) return rules(word);
+    const auto d = static_cast<std::size_t>(degree);
+    if (degree < 1 || word.size() < 2 * d + 1)
+        throw std::invalid_argument("an open word needs a domain and `degree` letters at each end");
+    const Word before = rules(word.first(d));
+    const Word domain = rules(word.subspan(d, word.size() - 2 * d));
+    const Word after = rules(word.last(d));
+    Word result;
+    result.reserve(domain.size() + 2 * d);
+    append(result, WordView(before).last(d));
+    append(result, domain);
+    append(result, WordView(after).first(d));
+    return result;
+}
+
+Refinement::Refinement(Curve curve, std::size_t state_limit)
+    : curve_(std::move(curve)) {
+    const std::vector<CellState> cells = cell_states(curve_.word(), curve_.degree(), curve_.ends());
+    automaton_ =
+        std::make_shared<const StencilAutomaton>(make_automaton(curve_.system(), curve_.degree(), cells, state_limit));
+    states_.reserve(cells.size());
+    for (const CellState& cell : cells) states_.push_back(automaton_->find(cell));
+    assert(states_.size() == curve_.size());
+}
+
+void Refinement::step() {
+    const StencilAutomaton& automaton = *automaton_;
+    const std::size_t dimension = curve_.dimension();
+    const std::size_t count = cells_after(automaton, states_);
+    std::vector<double> points(count * dimension);
+    std::vector<std::uint32_t> states(count);
+    Parents parents(curve_.points_, dimension, automaton.width());
+    std::size_t next = 0;
+    for (std::size_t cell = 0; cell < states_.size(); ++cell) {
+        const std::uint32_t state = states_[cell];
+        const double* rows = parents.rows(static_cast<std::ptrdiff_t>(cell) + automaton.offset(state));
+        for (const StencilAutomaton::Child& child : automaton.children(state)) {
+            combine(automaton.weights(child.row), rows, dimension, points.data() + next * dimension);
+            states[next++] = child.state;
+        }
+    }
+    assert(next == count);
+    curve_.points_ = std::move(points);
+    states_ = std::move(states);
+    curve_.word_ = refined_word(curve_.system_.rules(), curve_.word_, curve_.degree_, curve_.ends_);
+    ++curve_.step_;
+}
+
+Curve refine(const Curve& curve, int steps) {
+    if (steps < 0) throw std::invalid_argument("a negative number of steps");
+    if (steps == 0) return curve;
+    Refinement refinement(curve);
+    for (int step = 0; step < steps; ++step) refinement.step();
+    return refinement.curve();
+}
+
+} // namespace internode

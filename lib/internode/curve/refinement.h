@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+//
+// Refinement of a curve: the same curve over more and more intervals (Nivoliers et al. 2012, 2.3).
+//
+// A step rewrites the word and gathers every new point once from d+1 old ones (stencil/automaton.h): linear in the
+// output. Closed: |σ(w)| points and the word σ(w), not rotated. Open: N' = |σ(domain)| + d points and the word
+// (last d letters of σ(first d letters)) · σ(domain) · (first d letters of σ(last d letters)): the domain never
+// shrinks.
+
+#pragma once
+
+#include "internode/curve/curve.h"
+#include "internode/stencil/automaton.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace internode {
+
+struct RefinementSize {
+    std::uint64_t points = 0; ///< after all steps
+    std::uint64_t bytes = 0;  ///< that the last step needs: points, letters and states before and after it
+    bool exceeded = false;    ///< more than the cap: points and bytes are then lower bounds
+};
+
+/// The number of points after `steps` steps, without refining. Stops counting beyond `cap` points.
+[[nodiscard]] RefinementSize refined_size(const Curve& curve, std::uint64_t steps, std::uint64_t cap);
+
+/// A curve with the states of its cells, one step at a time.
+class Refinement {
+public:
+    /// Derives the automaton of the curve's word. \throw TooManyStates beyond `state_limit`
+    explicit Refinement(Curve curve, std::size_t state_limit = 1'000'000);
+    [[nodiscard]] const Curve& curve() const { return curve_; }
+    [[nodiscard]] const StencilAutomaton& automaton() const { return *automaton_; }
+    /// The state of each cell of the current curve.
+    [[nodiscard]] const std::vector<std::uint32_t>& states() const { return states_; }
+    /// One step of subdivision.
+    void step();
+
+private:
+    Curve curve_;
+    std::shared_ptr<const StencilAutomaton> automaton_;
+    std::vector<std::uint32_t> states_;
+};
+
+/// The curve after `steps` >= 0 steps. \throw std::invalid_argument for fewer, TooManyStates
+[[nodiscard]] Curve refine(const Curve& curve, int steps);
+
+/// The word after one step, cut as above.
+[[nodiscard]] Word refined_word(const Morphism& rules, WordView word, int degree, Ends ends);
+
+} // namespace internode

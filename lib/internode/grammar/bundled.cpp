@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/grammar/bundled.h"
+
+#include <algorithm>
+
+namespace internode {
+
+const BundledGrammar* find_bundled_grammar(std::string_view name) {
+    const std::span<const BundledGrammar> all = bundled_grammars();
+    const auto found = std::ranges::find(all, name, &BundledGrammar::name);
+    return found == all.end() ? nullptr : &*found;
+}
+
+} // namespace internode

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+//
+// The first statement of a grammar: `intervals NAME`. A text whose first statement has an arrow is `intervals`.
+
+#pragma once
+
+#include "internode/grammar/complaints.h"
+#include "internode/grammar/statement.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace internode {
+
+struct Kind {
+    std::string name;      ///< of the grammar; may be empty
+    std::size_t first = 0; ///< index of the first statement after it
+    bool readable = true;  ///< whether the rest is worth reading as an interval grammar
+};
+
+[[nodiscard]] Kind read_kind(const Statements& split, std::string_view text, Complaints& complaints);
+
+/// intervals, points, patches, mesh.
+[[nodiscard]] bool is_kind(std::string_view word);
+
+} // namespace internode

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// What a grammar or a word may be at most. Reading is linear in the text and in the letters that its powers stand
+// for; these numbers keep both small enough to be read in about a second. A refusal names its number.
+
+#pragma once
+
+#include "internode/algebra/rational.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace internode {
+
+/// A named limit, as `internode limits` prints it.
+struct Limit {
+    std::string_view name;
+    std::uint64_t value;
+    std::string_view unit;
+};
+
+inline constexpr std::size_t max_grammar_bytes = std::size_t{16} << 20;
+inline constexpr std::size_t max_line_bytes = std::size_t{12} << 20; ///< a word has no line breaks: it must fit
+inline constexpr std::size_t max_symbols = 100'000;
+inline constexpr std::size_t max_rule_letters = 1'000'000;
+inline constexpr std::size_t max_word_letters = 10'000'000;
+inline constexpr std::size_t max_name_bytes = 100;
+inline constexpr std::size_t max_kept_errors = 1'000;
+
+inline constexpr std::array<Limit, 9> grammar_limits{{
+    {"grammar text", max_grammar_bytes, "bytes"},
+    {"line of a grammar", max_line_bytes, "bytes"},
+    {"symbols of a grammar", max_symbols, "symbols"},
+    {"letters of a rule, powers written out", max_rule_letters, "letters"},
+    {"letters of a word, and of all words of a grammar, powers written out", max_word_letters, "letters"},
+    {"name of a symbol or a grammar", max_name_bytes, "bytes"},
+    {"digits of a number", max_digits, "digits"},
+    {"decimal exponent of a number, either sign", max_exponent, "decimal places"},
+    {"errors kept of one text", max_kept_errors, "errors"},
+}};
+
+} // namespace internode

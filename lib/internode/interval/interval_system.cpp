@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/interval/interval_system.h"
+
+#include "internode/interval/length_scales.h"
+#include "internode/interval/system_maker.h"
+
+#include <algorithm>
+
+namespace internode {
+
+namespace {
+
+bool declares(const std::vector<LengthDeclaration>& declarations, Symbol symbol) {
+    return std::ranges::any_of(declarations, [&](const LengthDeclaration& one) { return one.symbol == symbol; });
+}
+
+/// The rational lengths given, then the declarations that still hold: the grammar prints as the system it stands for.
+std::vector<LengthDeclaration> merged(const std::vector<LengthDeclaration>& old, const std::vector<FixedLength>& given,
+                                      const NumberField& field, const std::vector<Number>& lengths) {
+    std::vector<LengthDeclaration> result;
+    for (const FixedLength& one : given)
+        if (one.length.is_rational() && !declares(result, one.symbol))
+            result.push_back({one.symbol, one.length.coefficients(field).front()});
+    for (const LengthDeclaration& one : old)
+        if (!declares(result, one.symbol) && lengths[to_index(one.symbol)] == Number(one.length)) result.push_back(one);
+    return result;
+}
+
+} // namespace
+
+const Number& IntervalSystem::length(Symbol symbol) const {
+    static const Number zero;
+    return symbol == zero_interval ? zero : impl_->lengths.at(to_index(symbol));
+}
+
+bool IntervalSystem::occurs(Symbol symbol) const {
+    return length(symbol).sign() != 0;
+}
+
+std::string SystemMaker::generator_name(const NumberField& field) {
+    return field.minimal_polynomial() == std::vector<Integer>{-1, -1, 1} ? "φ" : "ρ";
+}
+
+IntervalSystem SystemMaker::make(IntervalGrammar grammar, NumberField field, Number ratio, std::vector<Number> lengths,
+                                 std::size_t period) {
+    std::string name = generator_name(field);
+    return IntervalSystem(
+        {std::move(grammar), std::move(field), std::move(ratio), std::move(name), std::move(lengths), period});
+}
+
+IntervalSystem bisection(const IntervalSystem& system) {
+    IntervalGrammar grammar = system.grammar();
+    std::vector<Word> images;
+    for (std::size_t i = 0; i < grammar.alphabet.size(); ++i) images.push_back({to_symbol(i), to_symbol(i)});
+    grammar.rules = Morphism(std::move(images));
+    return SystemMaker::make(std::move(grammar), system.field(), Number(2), system.lengths(), 1);
+}
+
+FixedLengths with_lengths(const IntervalSystem& system, const std::vector<FixedLength>& lengths) {
+    const ClassGraph graph = class_graph(system.grammar());
+    ScaledLengths scaled =
+        scale_lengths({graph, system.field()}, system.lengths(), lengths, system.alphabet(), system.ratio_name());
+    if (!scaled.conflicts.empty()) return {std::nullopt, std::move(scaled.conflicts)};
+    IntervalGrammar grammar = system.grammar();
+    grammar.lengths = merged(grammar.lengths, lengths, system.field(), scaled.lengths);
+    return {SystemMaker::make(std::move(grammar), system.field(), system.ratio(), std::move(scaled.lengths),
+                              system.period()),
+            {}};
+}
+
+} // namespace internode

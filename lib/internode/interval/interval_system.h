@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+//
+// A valid interval system: a grammar, its ratio ρ > 1 and lengths a > 0 with ρ a = M a, all exact in K = Q(ρ)
+// (Nivoliers et al. 2012, Definition 3.1 and eq. 4). After s steps an interval A_i has length a_i / ρ^s.
+//
+// Only validate() (interval/validity.h) and the functions below make one, so whoever holds one need not check again.
+// An immutable value; copies are cheap. Numbers of one system belong to one thread at a time (algebra/number.h).
+
+#pragma once
+
+#include "internode/algebra/number.h"
+#include "internode/grammar/interval_grammar.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace internode {
+
+class IntervalSystem {
+public:
+    [[nodiscard]] const IntervalGrammar& grammar() const { return impl_->grammar; }
+    [[nodiscard]] const Alphabet& alphabet() const { return impl_->grammar.alphabet; }
+    [[nodiscard]] const Morphism& rules() const { return impl_->grammar.rules; }
+    [[nodiscard]] const NumberField& field() const { return impl_->field; }
+    [[nodiscard]] const Number& ratio() const { return impl_->ratio; }
+    /// The name of ρ in print: "φ" for the golden ratio, else "ρ".
+    [[nodiscard]] const std::string& ratio_name() const { return impl_->ratio_name; }
+    /// a_i of each symbol; 0 exactly for symbols that the axiom can never produce.
+    [[nodiscard]] const std::vector<Number>& lengths() const { return impl_->lengths; }
+    /// a_i, or 0 for the reserved letter `0`.
+    [[nodiscard]] const Number& length(Symbol symbol) const;
+    /// Whether the symbol has a length: false for what the axiom can never produce.
+    [[nodiscard]] bool occurs(Symbol symbol) const;
+    /// The period of the system: the least common multiple of the periods of its basic classes (1 = primitive blocks).
+    [[nodiscard]] std::size_t period() const { return impl_->period; }
+
+private:
+    struct Impl {
+        IntervalGrammar grammar;
+        NumberField field;
+        Number ratio;
+        std::string ratio_name;
+        std::vector<Number> lengths;
+        std::size_t period = 1;
+    };
+    explicit IntervalSystem(Impl impl)
+        : impl_(std::make_shared<const Impl>(std::move(impl))) {}
+    friend struct SystemMaker;
+    std::shared_ptr<const Impl> impl_;
+};
+
+/// Uniform bisection of the same intervals: same alphabet and lengths, every rule A_i -> A_i A_i, ratio 2
+/// (Sederberg's scheme, S4 3.3.2; every length is free, so lengths in K are allowed).
+[[nodiscard]] IntervalSystem bisection(const IntervalSystem& system);
+
+/// A length said from outside, > 0: rational, or in K (a refined curve's lengths are a_i / ρ^s).
+struct FixedLength {
+    Symbol symbol{};
+    Number length;
+};
+
+/// Lengths fixed from outside did not satisfy ρ a = M a.
+struct LengthConflict {
+    Symbol symbol{};
+    Number given;        ///< what was asked for
+    Number implied;      ///< what the system says, after the other lengths were taken
+    std::string message; ///< with both numbers and the residual
+};
+
+struct FixedLengths {
+    std::optional<IntervalSystem> system; ///< none when there are conflicts
+    std::vector<LengthConflict> conflicts;
+};
+
+/// The same system with some lengths given: each scales the final class that its symbol leads to; the others follow.
+/// Every given length must then hold exactly.
+[[nodiscard]] FixedLengths with_lengths(const IntervalSystem& system, const std::vector<FixedLength>& lengths);
+
+} // namespace internode

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+//
+// A control polygon as a file gives it: N points of one dimension, and whatever the file says about degree, ends, word
+// and lengths. Whether these fit each other and a grammar is for curve/ to say.
+//
+// CSV: a point a line, `,`, `;` or tab between the coordinates (the first line decides), an optional header, `#`
+// comments, empty lines, CR LF, a byte order mark. JSON: an object of format "internode-curve" (docs/), or the
+// bare array of its points. Coordinates are finite doubles, correctly rounded; lengths stay exact.
+
+#pragma once
+
+#include "internode/algebra/rational.h"
+#include "internode/grammar/diagnostic.h"
+#include "internode/io/text_place.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace internode {
+
+/// A piece of the user's text and where it stands.
+struct PlacedText {
+    std::string text;
+    TextPlace place;
+};
+
+/// A length that the file fixes: Σ coefficients[i] ρ^i, ρ the ratio of the grammar; one coefficient for a rational.
+struct InputLength {
+    PlacedText symbol;
+    std::vector<Rational> coefficients; ///< at least one
+};
+
+struct InputPolygon {
+    std::string source;               ///< for diagnostics about what stands here
+    std::size_t dimension = 0;        ///< 1 … max_dimension
+    std::vector<double> points;       ///< N rows of `dimension` coordinates, N >= 1, all finite
+    std::vector<std::string> columns; ///< names of the coordinates; empty without a header, and for JSON
+    std::optional<std::size_t> degree;
+    std::optional<bool> closed;
+    std::optional<PlacedText> word_text;                 ///< "word": "SL SL", as --word takes it
+    std::optional<std::vector<PlacedText>> word_letters; ///< "word": ["S", "L"]
+    std::vector<InputLength> lengths;                    ///< in the order of the file, no symbol twice
+
+    [[nodiscard]] std::size_t size() const { return points.size() / dimension; }
+};
+
+struct ParsedPolygon {
+    std::optional<InputPolygon> polygon; ///< present iff errors is empty
+    std::vector<Diagnostic> errors;      ///< in the order of the text, at most max_polygon_errors
+};
+
+/// Both never throw on any text (but std::bad_alloc). Cost: linear in the text.
+[[nodiscard]] ParsedPolygon read_polygon_csv(std::string_view text, std::string_view source);
+[[nodiscard]] ParsedPolygon read_polygon_json(std::string_view text, std::string_view source);
+
+/// One of the two by the first character that is not blank: `{` or `[` begins JSON.
+[[nodiscard]] ParsedPolygon read_polygon(std::string_view text, std::string_view source);
+
+} // namespace internode

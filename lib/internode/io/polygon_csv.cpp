@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/io/polygon.h"
+
+#include "internode/io/limits.h"
+#include "internode/io/number.h"
+
+#include <algorithm>
+#include <array>
+
+namespace internode {
+
+namespace {
+
+/// A field of a line: blanks and quotes taken off.
+struct Field {
+    std::string_view text;
+    std::size_t offset = 0; ///< of the text in its line
+};
+
+std::string_view trimmed(std::string_view text, std::string_view blanks) {
+    const std::size_t first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) return text.substr(text.size());
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+/// "nan", "-Inf", "infinity": what other programs write for numbers that are not finite.
+bool is_named_number(std::string_view text) {
+    if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
+    constexpr std::array<std::string_view, 3> names{"nan", "inf", "infinity"};
+    const auto same_letter = [](char a, char b) { return a == b || (a >= 'A' && a <= 'Z' && a - 'A' == b - 'a'); };
+    return std::ranges::any_of(names,
+                               [&](std::string_view name) { return std::ranges::equal(text, name, same_letter); });
+}
+
+/// Whether a field of the first line is the name of a coordinate; a damaged number is not.
+bool is_name(const Field& field) {
+    constexpr std::string_view begins_a_number = "0123456789+-.";
+    return !field.text.empty() && begins_a_number.find(field.text.front()) == std::string_view::npos &&
+           !is_named_number(field.text);
+}
+
+std::string quoted(std::string_view text) {
+    constexpr std::size_t shown = 40;
+    return '`' + std::string(text.substr(0, shown)) + (text.size() > shown ? "...`" : "`");
+}
+
+std::string unescaped(std::string_view text) {
+    std::string name;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        name += text[i];
+        if (text.substr(i).starts_with("\"\"")) ++i;
+    }
+    return name;
+}
+
+char separator_of(std::string_view line) {
+    if (line.find(';') != std::string_view::npos) return ';';
+    return line.find('\t') != std::string_view::npos ? '\t' : ',';
+}
+
+class CsvReader {
+public:
+    CsvReader(std::string_view text, std::string_view source)
+        : text_(text)
+        , source_(source) {
+        polygon_.source = source;
+    }
+
+    ParsedPolygon read() && {
+        constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+        if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
+        while (!text_.empty() && errors_.size() < max_polygon_errors) {
+            line_ = text_.substr(0, text_.find('\n'));
+            text_.remove_prefix(std::min(line_.size() + 1, text_.size()));
+            if (line_.ends_with('\r')) line_.remove_suffix(1);
+            ++line_number_;
+            read_line();
+        }
+        if (polygon_.points.empty() && errors_.empty()) add_empty_error();
+        if (!errors_.empty()) return {.polygon = {}, .errors = std::move(errors_)};
+        return {.polygon = std::move(polygon_), .errors = {}};
+    }
+
+private:
+    void read_line() {
+        const std::string_view content = trimmed(line_, " \t");
+        if (content.empty() || content.front() == '#') return;
+        const bool is_first = separator_ == '\0';
+        if (is_first) separator_ = separator_of(content);
+        if (!split()) return;
+        if (is_first) polygon_.dimension = fields_.size();
+        if (is_first && std::ranges::all_of(fields_, is_name)) {
+            for (const Field& field : fields_) polygon_.columns.push_back(unescaped(field.text));
+            return;
+        }
+        if (fields_.size() != polygon_.dimension) return refuse_length();
+        read_point();
+    }
+
+    void read_point() {
+        for (const Field& field : fields_) {
+            const std::optional<double> value = parse_double(field.text);
+            if (!value) return refuse_number(field);
+            polygon_.points.push_back(*value);
+        }
+    }
+
+    /// Cuts line_ into fields_; false after an error.
+    bool split() {
+        fields_.clear();
+        const std::string_view blanks = separator_ == '\t' ? " " : " \t";
+        for (std::size_t begin = 0; begin <= line_.size();) {
+            if (fields_.size() == max_dimension) {
+                refuse(begin, 1, "more than " + std::to_string(max_dimension) + " coordinates, the limit");
+                return false;
+            }
+            const std::size_t text = std::min(line_.find_first_not_of(blanks, begin), line_.size());
+            const bool is_quoted = text < line_.size() && line_[text] == '"';
+            const std::size_t end = is_quoted ? split_quoted(text) : split_plain(begin, blanks);
+            if (end == std::string_view::npos) return false;
+            begin = end + 1;
+        }
+        return true;
+    }
+
+    /// Takes the field from `begin` to the next separator, and returns where that is.
+    std::size_t split_plain(std::size_t begin, std::string_view blanks) {
+        const std::size_t end = std::min(line_.find(separator_, begin), line_.size());
+        const std::string_view text = trimmed(line_.substr(begin, end - begin), blanks);
+        fields_.push_back({text, static_cast<std::size_t>(text.data() - line_.data())});
+        return end;
+    }
+
+    /// The same for a field that opens with a quote at `quote`; inside, "" is a quote. npos after an error.
+    std::size_t split_quoted(std::size_t quote) {
+        std::size_t end = quote + 1;
+        while (end < line_.size() && (line_[end] != '"' || line_.substr(end).starts_with("\"\"")))
+            end += line_[end] == '"' ? 2 : 1;
+        if (end >= line_.size()) {
+            refuse(quote, 1, "a quote that is not closed");
+            return std::string_view::npos;
+        }
+        fields_.push_back({line_.substr(quote + 1, end - quote - 1), quote + 1});
+        const std::size_t next = std::min(line_.find_first_not_of(' ', end + 1), line_.size());
+        if (next < line_.size() && line_[next] != separator_) {
+            refuse(next, 1, "text after a closed quote");
+            return std::string_view::npos;
+        }
+        return next;
+    }
+
+    void refuse_length() {
+        const std::string counts = std::to_string(fields_.size()) +
+                                   (fields_.size() == 1 ? " coordinate" : " coordinates") +
+                                   ", but the first line has " + std::to_string(polygon_.dimension);
+        refuse(fields_.back().offset, 1, counts);
+        if (fields_.size() == 1) errors_.back().hint = separator_hint();
+    }
+
+    void refuse_number(const Field& field) {
+        const std::string_view text = field.text;
+        const std::size_t width = std::max<std::size_t>(place_of(text, text.size()).column - 1, 1);
+        if (text.empty()) return refuse(field.offset, 1, "an empty field where a number is meant");
+        if (is_named_number(text)) return refuse(field.offset, width, quoted(text) + " is not a finite number");
+        refuse(field.offset, width, quoted(text) + " is not a number within the range of doubles");
+        if (separator_ != ',' && text.find(',') != std::string_view::npos)
+            errors_.back().hint = "the decimal sign is a point: write 1.5 for 1,5";
+        else if (text.find_first_of(" ;\t") != std::string_view::npos)
+            errors_.back().hint = separator_hint();
+    }
+
+    std::string separator_hint() const {
+        const std::string name = separator_ == '\t' ? "a tab" : std::string{'`', separator_, '`'};
+        return "coordinates are separated by " + name + " here, as in the first line; `,`, `;` and tabs are understood";
+    }
+
+    void add_empty_error() {
+        Diagnostic diagnostic;
+        diagnostic.source = source_;
+        diagnostic.message = "no point";
+        diagnostic.hint = "write a point a line: 0.5, 1.25";
+        errors_.push_back(std::move(diagnostic));
+    }
+
+    void refuse(std::size_t offset, std::size_t width, std::string message) {
+        Diagnostic diagnostic = diagnostic_at(line_, offset, source_, std::move(message));
+        diagnostic.line = line_number_;
+        diagnostic.width = width;
+        errors_.push_back(std::move(diagnostic));
+    }
+
+    std::string_view text_; ///< what is not read yet
+    std::string_view source_;
+    std::string_view line_;
+    std::size_t line_number_ = 0;
+    char separator_ = '\0'; ///< none before the first line with content
+    std::vector<Field> fields_;
+    InputPolygon polygon_;
+    std::vector<Diagnostic> errors_;
+};
+
+} // namespace
+
+ParsedPolygon read_polygon_csv(std::string_view text, std::string_view source) {
+    return CsvReader(text, source).read();
+}
+
+ParsedPolygon read_polygon(std::string_view text, std::string_view source) {
+    const std::size_t first = text.find_first_not_of("\xEF\xBB\xBF \t\r\n");
+    const bool is_json = first != std::string_view::npos && (text[first] == '{' || text[first] == '[');
+    return is_json ? read_polygon_json(text, source) : read_polygon_csv(text, source);
+}
+
+} // namespace internode

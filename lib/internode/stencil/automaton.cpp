@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/stencil/automaton.h"
+
+#include "internode/spline/window.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <string>
+
+namespace internode {
+
+/// Explores the states breadth first from the start, each once, and shares equal rows.
+class AutomatonBuilder {
+public:
+    AutomatonBuilder(const IntervalSystem& system, int degree, std::size_t limit)
+        : system_(system)
+        , limit_(limit) {
+        automaton_.degree_ = degree;
+    }
+
+    void add(const CellState& state) {
+        if (state.window.size() != 2 * automaton_.width() - 3)
+            throw std::invalid_argument("a window of degree d has 2d-1 letters");
+        if (state.lead > automaton_.width() - 1)
+            throw std::invalid_argument("a cell is at most d left of its interval");
+        (void)number(state);
+    }
+
+    StencilAutomaton build() {
+        // Expanding a state may add others behind it.
+        std::size_t expanded = 0;
+        while (expanded < automaton_.states_.size()) {
+            automaton_.first_child_.push_back(automaton_.children_.size());
+            expand(automaton_.states_[expanded++]);
+        }
+        automaton_.first_child_.push_back(automaton_.children_.size());
+        return std::move(automaton_);
+    }
+
+private:
+    /// By value: the states move while new ones are added.
+    void expand(CellState state) {
+        const WindowPiece piece(system_, state.window);
+        if (state.lead > 0) {
+            add_child({piece.child_window(0), state.lead}, piece.leading(state.lead));
+            return;
+        }
+        for (std::size_t c = 0; c < piece.child_count(); ++c) add_child({piece.child_window(c), 0}, piece.child(c));
+    }
+
+    void add_child(const CellState& child, const std::vector<Number>& row) {
+        automaton_.children_.push_back({number(child), shared(row)});
+    }
+
+    std::uint32_t number(const CellState& state) {
+        std::vector<std::uint32_t>& same_window = automaton_.index_[state.window];
+        for (const std::uint32_t known : same_window)
+            if (automaton_.states_[known].lead == state.lead) return known;
+        if (automaton_.states_.size() >= limit_)
+            throw TooManyStates("the stencil automaton has more than " + std::to_string(limit_) + " states");
+        const auto added = static_cast<std::uint32_t>(automaton_.states_.size());
+        same_window.push_back(added);
+        automaton_.states_.push_back(state);
+        return added;
+    }
+
+    std::uint32_t shared(const std::vector<Number>& row) {
+        std::vector<double> rounded;
+        std::uint64_t hash = 0;
+        for (const Number& weight : row) {
+            rounded.push_back(weight.to_double());
+            hash = (std::rotl(hash, 7) ^ std::bit_cast<std::uint64_t>(rounded.back())) * 0x9e3779b97f4a7c15U;
+        }
+        std::vector<std::uint32_t>& candidates = rows_[hash];
+        for (const std::uint32_t known : candidates)
+            if (std::ranges::equal(automaton_.exact_weights(known), row)) return known;
+        const auto added = static_cast<std::uint32_t>(automaton_.row_count());
+        candidates.push_back(added);
+        automaton_.exact_.insert(automaton_.exact_.end(), row.begin(), row.end());
+        automaton_.weights_.insert(automaton_.weights_.end(), rounded.begin(), rounded.end());
+        return added;
+    }
+
+    const IntervalSystem& system_;
+    std::size_t limit_;
+    StencilAutomaton automaton_;
+    std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> rows_; ///< by hash of the doubles
+};
+
+std::uint32_t StencilAutomaton::find(const CellState& state) const {
+    const auto same_window = index_.find(state.window);
+    if (same_window != index_.end())
+        for (const std::uint32_t known : same_window->second)
+            if (states_[known].lead == state.lead) return known;
+    throw std::out_of_range("the stencil automaton does not have that state");
+}
+
+StencilAutomaton make_automaton(const IntervalSystem& system, int degree, const std::vector<CellState>& start,
+                                std::size_t limit) {
+    if (degree < 1 || degree > 12) throw std::invalid_argument("a stencil automaton has a degree from 1 to 12");
+    AutomatonBuilder builder(system, degree, std::min<std::size_t>(limit, std::numeric_limits<std::uint32_t>::max()));
+    for (const CellState& state : start) builder.add(state);
+    return builder.build();
+}
+
+namespace {
+
+/// How many empty letters stand from place i on, going round in a circular word; stops counting beyond d.
+std::size_t zeros_from(WordView word, std::size_t i, std::size_t d) {
+    std::size_t zeros = 0;
+    while (zeros <= d && word[(i + zeros) % word.size()] == zero_interval) ++zeros;
+    return zeros;
+}
+
+/// The 2d-1 letters around place j, going round in a circular word.
+Word window_around(WordView word, std::size_t j, std::size_t d) {
+    const std::size_t n = word.size();
+    Word window;
+    window.reserve(2 * d - 1);
+    // j + n·d is the same place, and nothing left of it is negative.
+    for (std::size_t i = j + n * d + 1 - d; i < j + n * d + d; ++i) window.push_back(word[i % n]);
+    return window;
+}
+
+} // namespace
+
+std::vector<CellState> cell_states(WordView word, int degree, Ends ends) {
+    if (degree < 1) throw std::invalid_argument("a degree is at least 1");
+    const auto d = static_cast<std::size_t>(degree);
+    const bool open = ends == Ends::Open;
+    if (word.size() < (open ? 2 * d + 1 : 1)) throw std::invalid_argument("the word is too short for its degree");
+    const std::size_t count = open ? word.size() - d : word.size();
+    if (open && (word[d] == zero_interval || word[count - 1] == zero_interval))
+        throw std::invalid_argument("the domain begins or ends with an empty interval");
+    std::vector<CellState> states;
+    states.reserve(count);
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t lead = open && k < d ? d - k : zeros_from(word, k, d);
+        if (lead > d) throw std::invalid_argument("more than d intervals in a row are empty");
+        states.push_back({window_around(word, k + lead, d), static_cast<std::uint32_t>(lead)});
+    }
+    return states;
+}
+
+} // namespace internode

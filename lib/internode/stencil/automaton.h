@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+//
+// The stencil automaton of an interval system: the common currency of everything one-dimensional.
+//
+// A *cell* is a control point together with the leftmost interval of its support; cells and points are equal in
+// number and order. The state of a cell is (window of 2d-1 letters around the first non-empty interval j at or right of
+// the cell, z = how many cells the cell lies left of j). A step turns every cell into the cells of its state's
+// children:
+//
+//     state -> sequence of (child state, row of d+1 weights over the parents at cell + offset … cell + offset + d)
+//
+// z = 0: a child per letter of the rule of j, offset -d. z >= 1 (an empty interval, or a point that starts left of an
+// open domain): one child with z again, offset z - d. Ends are states: a kernel has no special case for them.
+
+#pragma once
+
+#include "internode/interval/interval_system.h"
+
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <unordered_map>
+#include <vector>
+
+namespace internode {
+
+struct CellState {
+    Word window;            ///< 2d - 1 letters
+    std::uint32_t lead = 0; ///< z, 0 … d
+    friend bool operator==(const CellState&, const CellState&) = default;
+};
+
+/// What an automaton may hold by default: a million windows of degree 12 are some gigabytes of exact rows.
+inline constexpr std::size_t max_states = 1'000'000;
+
+/// More states than allowed.
+class TooManyStates : public std::length_error {
+public:
+    using std::length_error::length_error;
+};
+
+class StencilAutomaton {
+public:
+    struct Child {
+        std::uint32_t state; ///< of the new cell
+        std::uint32_t row;   ///< index of its weights
+    };
+
+    [[nodiscard]] int degree() const { return degree_; }
+    /// d + 1, the weights in a row.
+    [[nodiscard]] std::size_t width() const { return static_cast<std::size_t>(degree_) + 1; }
+    [[nodiscard]] std::size_t state_count() const { return states_.size(); }
+    [[nodiscard]] std::size_t row_count() const { return weights_.size() / width(); }
+    [[nodiscard]] const CellState& state(std::uint32_t state) const { return states_[state]; }
+    [[nodiscard]] std::span<const Child> children(std::uint32_t state) const {
+        return {children_.data() + first_child_[state], first_child_[state + 1] - first_child_[state]};
+    }
+    /// Position of the first parent relative to the cell: z - d.
+    [[nodiscard]] std::ptrdiff_t offset(std::uint32_t state) const {
+        return static_cast<std::ptrdiff_t>(states_[state].lead) - degree_;
+    }
+    /// The weights of a row, each the nearest double to the exact one.
+    [[nodiscard]] std::span<const double> weights(std::uint32_t row) const {
+        return {weights_.data() + row * width(), width()};
+    }
+    [[nodiscard]] std::span<const Number> exact_weights(std::uint32_t row) const {
+        return {exact_.data() + row * width(), width()};
+    }
+    /// The state of that window and lead. \throw std::out_of_range when the automaton does not have it
+    [[nodiscard]] std::uint32_t find(const CellState& state) const;
+
+private:
+    friend class AutomatonBuilder;
+    int degree_ = 1;
+    std::vector<CellState> states_;
+    std::vector<std::size_t> first_child_; ///< state_count() + 1
+    std::vector<Child> children_;
+    std::vector<Number> exact_;                                            ///< row_count() * width()
+    std::vector<double> weights_;                                          ///< the same, rounded
+    std::unordered_map<Word, std::vector<std::uint32_t>, WordHash> index_; ///< states of a window
+};
+
+/// The automaton that holds `start` and everything it leads to. degree 1 … 12; every window 2d-1 letters with a
+/// non-empty middle. \throw TooManyStates beyond `limit`, std::invalid_argument
+[[nodiscard]] StencilAutomaton make_automaton(const IntervalSystem& system, int degree,
+                                              const std::vector<CellState>& start, std::size_t limit);
+
+/// The states of the cells of a word: N when circular; N when the word is open and has N + d letters, the first d cells
+/// leading the domain. \throw std::invalid_argument for a word that is too short, a domain that begins or ends with
+/// `0`, more than d zeros in a row (curve/curve.h says it with numbers)
+[[nodiscard]] std::vector<CellState> cell_states(WordView word, int degree, Ends ends);
+
+} // namespace internode

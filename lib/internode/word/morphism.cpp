@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/word/morphism.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace internode {
+
+Morphism::Morphism(std::vector<Word> images)
+    : images_(std::move(images)) {
+    for (const Word& image : images_) {
+        if (image.empty()) throw std::invalid_argument("a rule with an empty successor");
+        const auto foreign = [this](Symbol symbol) { return to_index(symbol) >= images_.size(); };
+        if (std::ranges::any_of(image, foreign)) throw std::invalid_argument("a rule with a symbol that has no rule");
+    }
+}
+
+WordView Morphism::image(Symbol symbol) const {
+    static const Word zero{zero_interval};
+    return symbol == zero_interval ? WordView(zero) : WordView(images_.at(to_index(symbol)));
+}
+
+Word Morphism::operator()(WordView word) const {
+    std::size_t size = 0;
+    for (const Symbol symbol : word) size += image(symbol).size();
+    Word result;
+    result.reserve(size);
+    for (const Symbol symbol : word) {
+        const WordView letters = image(symbol);
+        result.insert(result.end(), letters.begin(), letters.end());
+    }
+    return result;
+}
+
+Morphism power(const Morphism& morphism, int power) {
+    if (power < 1) throw std::invalid_argument("the power of a morphism must be at least 1");
+    std::vector<Word> images = morphism.images();
+    for (int step = 1; step < power; ++step)
+        for (Word& image : images) image = morphism(image);
+    return Morphism(std::move(images));
+}
+
+LetterCounts letter_counts(const Morphism& morphism, WordView word) {
+    LetterCounts counts;
+    counts.symbols.resize(morphism.size());
+    counts.total = word.size();
+    for (const Symbol symbol : word) {
+        if (symbol == zero_interval)
+            ++counts.zeros;
+        else
+            ++counts.symbols.at(to_index(symbol));
+    }
+    return counts;
+}
+
+LetterCounts letter_counts(const Morphism& morphism, WordView word, std::uint64_t steps, std::uint64_t cap) {
+    // A count is at most the total, the total at most cap, a rule has fewer than 2^32 letters and cap < 2^63:
+    // what could overflow is caught before it is added.
+    LetterCounts counts = letter_counts(morphism, word);
+    counts.saturated = counts.total > cap;
+    for (std::uint64_t step = 0; step < steps && !counts.saturated; ++step) {
+        std::vector<std::uint64_t> next(morphism.size());
+        std::uint64_t total = counts.zeros;
+        for (std::size_t i = 0; i < morphism.size() && total <= cap; ++i) {
+            if (counts.symbols[i] == 0) continue;
+            const Word& image = morphism.images()[i];
+            if (image.size() > (cap - total) / counts.symbols[i]) {
+                total = cap + 1;
+                break;
+            }
+            total += image.size() * counts.symbols[i];
+            for (const Symbol symbol : image) next[to_index(symbol)] += counts.symbols[i];
+        }
+        counts.saturated = total > cap;
+        if (counts.saturated) break;
+        if (next == counts.symbols) break; // a fixed point: every further step is the same
+        counts.symbols = std::move(next);
+        counts.total = total;
+    }
+    return counts;
+}
+
+} // namespace internode

@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: MIT
+# Fails when a command of compile_commands.json lacks -ffp-contract=off, or turns FMA or fast math on.
+file(READ ${COMMANDS} text)
+string(JSON count LENGTH "${text}")
+math(EXPR last "${count} - 1")
+foreach(index RANGE ${last})
+  string(JSON command GET "${text}" ${index} command)
+  string(JSON source GET "${text}" ${index} file)
+  if(NOT command MATCHES " -ffp-contract=off ")
+    message(FATAL_ERROR "${source} is compiled without -ffp-contract=off")
+  endif()
+  if(command MATCHES " (-mfma|-ffast-math|-Ofast|-march=[^ ]*) ")
+    message(FATAL_ERROR "${source} is compiled with ${CMAKE_MATCH_1}")
+  endif()
+endforeach()

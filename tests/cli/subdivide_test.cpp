@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+//
+// subdivide and converge: how word, ends and degree are settled between file and command line, and what is refused.
+
+#include "tests/cli/command.h"
+
+#include "internode/grammar/bundled.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace internode::tests {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string square = "x,y\n0,0\n1,0\n1,1\n0,1\n";
+
+long rows(const std::string& csv) {
+    return std::ranges::count(csv, '\n') - 1;
+}
+
+class Subdivide : public testing::Test {
+protected:
+    Outcome run(std::vector<std::string> arguments) const {
+        arguments.insert(arguments.begin(), {"subdivide", "@fibonacci"});
+        return here.run(arguments);
+    }
+    void SetUp() override { here.file("square.csv", square); }
+    Workspace here;
+};
+
+TEST_F(Subdivide, SettlesTheEnds) {
+    EXPECT_EQ(rows(run({"square.csv", "-d", "2", "-n", "1", "--closed", "--word", "LSLS"}).out), 6);
+    EXPECT_EQ(rows(run({"square.csv", "-d", "2", "-n", "1", "--word", "(LSLS)"}).out), 6);
+    EXPECT_EQ(rows(run({"square.csv", "-d", "2", "-n", "1", "--word", "LSLSLS"}).out), 5);
+    EXPECT_EQ(rows(run({"square.csv", "-d", "2", "-n", "1", "--open", "--word", "LSLSLS"}).out), 5);
+    EXPECT_EQ(rows(run({"square.csv", "-d", "2", "-n", "1", "--clamped", "--word", "LS"}).out), 5);
+    EXPECT_EQ(run({"square.csv", "-d", "2", "-n", "1", "--clamped", "--word", "LS"}).out,
+              run({"square.csv", "-d", "2", "-n", "1", "--word", "0 0 L S 0 0"}).out);
+    EXPECT_EQ(run({"square.csv", "-d", "2", "-n", "1", "--open", "--word", "(LSLS)"}).code, 3);
+}
+
+TEST_F(Subdivide, RepeatsLettersAndCuts) {
+    EXPECT_EQ(run({"square.csv", "-d", "2", "-n", "2", "--closed", "--word", "LSL", "--repeat"}).out,
+              run({"square.csv", "-d", "2", "-n", "2", "--closed", "--word", "LSLL"}).out);
+    EXPECT_EQ(run({"square.csv", "-d", "2", "-n", "2", "--word", "LSL", "--repeat"}).out,
+              run({"square.csv", "-d", "2", "-n", "2", "--word", "LSLLSL"}).out);
+    EXPECT_EQ(run({"square.csv", "-d", "2", "-n", "2", "--clamped", "--word", "S", "--repeat"}).out,
+              run({"square.csv", "-d", "2", "-n", "2", "--clamped", "--word", "SS"}).out);
+    EXPECT_EQ(run({"square.csv", "-d", "2", "-n", "2", "--closed", "--word", "LSLSLS", "--repeat"}).code, 3);
+}
+
+TEST_F(Subdivide, ClosedFromOnePoint) {
+    here.file("point.csv", "3,4\n");
+    const Outcome outcome = run({"point.csv", "-d", "3", "-n", "2", "--closed", "--word", "L"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "x,y\n3,4\n3,4\n3,4\n");
+}
+
+TEST_F(Subdivide, RefusesWithTheNumbers) {
+    const auto refused = [this](const std::vector<std::string>& arguments, const std::string& word) {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.code, 3) << testing::PrintToString(arguments) << outcome.out;
+        EXPECT_THAT(outcome.err, HasSubstr(word));
+        EXPECT_EQ(outcome.out, "");
+    };
+    refused({"square.csv", "-d", "2", "-n", "1"}, "no word");
+    refused({"square.csv", "-d", "2", "-n", "1", "--closed", "--word", "LSL"}, "4");
+    refused({"square.csv", "-d", "2", "-n", "1", "--word", "LSLSL"}, "6 letters");
+    refused({"square.csv", "-d", "4", "-n", "1", "--word", "L", "--repeat"}, "5");
+    refused({"square.csv", "-d", "2", "-n", "1", "--closed", "--word", "LXLS"}, "X");
+    refused({"square.csv", "-d", "1", "-n", "1", "--closed", "--word", "L 0 0 S"}, "2 zeros in a row");
+    refused({"square.csv", "-d", "2", "-n", "1000000000", "--closed", "--word", "LSLS"}, "100000000");
+    refused({"square.csv", "-d", "2", "-n", "9", "--closed", "--word", "LSLS", "--max-points", "99"}, "99");
+    here.file("repeat.csv", square + "0,0\n");
+    refused({"repeat.csv", "-d", "2", "-n", "1", "--closed", "--word", "L", "--repeat"}, "drop the last point");
+    here.file("nan.csv", "0,0\n1,nan\n");
+    refused({"nan.csv", "-d", "1", "-n", "1", "--closed", "--word", "LS"}, "nan.csv:2:3");
+    here.file("ragged.csv", "0,0\n1,2,3\n");
+    refused({"ragged.csv", "-d", "1", "-n", "1", "--closed", "--word", "LS"}, "ragged.csv:2");
+    here.file("lengths.json", R"({"format":"internode-curve","version":1,"degree":1,"closed":true,"word":["L","S"],
+        "points":[[0],[1]],"lengths":{"L":"1.618","S":1}})");
+    refused({"lengths.json", "-n", "1"}, "lengths.json");
+    here.file("long.csv", "1,2,3,4\n5,6,7,8\n");
+    refused({"long.csv", "-d", "1", "-n", "1", "--closed", "--word", "LS", "--format", "obj"}, "3 coordinates");
+}
+
+TEST_F(Subdivide, JsonSaysDegreeWordAndEnds) {
+    here.file("c.json", R"({"format":"internode-curve","version":1,"degree":2,"closed":true,
+        "word":["L","S","L","S"],"points":[[0,0],[1,0],[1,1],[0,1]]})");
+    EXPECT_EQ(run({"c.json", "-n", "2"}).out,
+              run({"square.csv", "-d", "2", "-n", "2", "--closed", "--word", "LSLS"}).out);
+    EXPECT_EQ(run({"c.json", "-n", "2", "-d", "3"}).code, 3);
+    EXPECT_EQ(run({"c.json", "-n", "2", "--open"}).code, 3);
+    const Outcome other = run({"c.json", "-n", "1", "--word", "LLLL"});
+    EXPECT_EQ(rows(other.out), 8);
+    EXPECT_EQ(run({"square.csv", "-n", "2"}).code, 2);
+}
+
+TEST_F(Subdivide, TheAxiomIsTheWholeWordAndMustAgree) {
+    here.file("g.lsys", "intervals g\nL -> S L\nS -> L\naxiom (L S L S)\n");
+    EXPECT_EQ(here.run({"subdivide", "g.lsys", "square.csv", "-d", "2", "-n", "1"}).out,
+              run({"square.csv", "-d", "2", "-n", "1", "--closed", "--word", "LSLS"}).out);
+    here.file("c.json", R"({"degree":2,"closed":true,"word":["L","L","L","S"],"points":[[0,0],[1,0],[1,1],[0,1]]})");
+    const Outcome disagree = here.run({"subdivide", "g.lsys", "c.json", "-n", "1"});
+    EXPECT_EQ(disagree.code, 3);
+    EXPECT_THAT(disagree.err, HasSubstr("disagree"));
+    EXPECT_EQ(here.run({"subdivide", "g.lsys", "c.json", "-n", "1", "--word", "LLLS"}).code, 0);
+}
+
+TEST_F(Subdivide, OutputIsInputAgain) {
+    ASSERT_EQ(run({"data/curves/fibonacci-open.json", "-n", "2", "-o", "two.json"}).code, 0);
+    EXPECT_EQ(run({"two.json", "-n", "1"}).out, run({"data/curves/fibonacci-open.json", "-n", "3"}).out);
+    EXPECT_EQ(run({"two.json", "-n", "1", "--limit"}).out.substr(0, 40),
+              run({"data/curves/fibonacci-open.json", "-n", "3", "--limit"}).out.substr(0, 40));
+}
+
+TEST_F(Subdivide, PlansWhatItMakesForEveryBundledGrammar) {
+    for (const BundledGrammar& grammar : bundled_grammars()) {
+        const std::string name = "@" + std::string(grammar.name);
+        if (here.run({"validate", name}).code != 0) continue;
+        const std::string letter = here.run({"validate", name, "--json"}).out;
+        const auto at = letter.find("\"name\": \"", letter.find("\"symbols\": ["));
+        const std::string symbol = letter.substr(at + 9, letter.find('"', at + 9) - at - 9);
+        for (const std::string steps : {"0", "1", "6"}) {
+            const std::vector<std::string> job{"subdivide", name,       "square.csv", "-d",   "2",       "-n",
+                                               steps,       "--closed", "--word",     symbol, "--repeat"};
+            auto plan = job;
+            plan.emplace_back("--plan");
+            const Outcome planned = here.run(plan);
+            ASSERT_EQ(planned.code, 0) << planned.err;
+            const Outcome done = here.run(job);
+            ASSERT_EQ(done.code, 0) << done.err;
+            EXPECT_THAT(planned.out, HasSubstr("points " + std::to_string(rows(done.out)) + "\n")) << name;
+        }
+    }
+}
+
+#ifndef INTERNODE_SANITIZED // a sanitizer's shadow memory is no promise of ours
+TEST_F(Subdivide, TakesNoMoreMemoryThanPlanned) {
+    const std::vector<std::string> job{
+        "subdivide", "@fibonacci", "data/curves/iceland-coast.csv", "-d", "3", "--closed", "--word", "LS", "--repeat"};
+    const auto with = [&job](std::initializer_list<std::string> more) {
+        auto line = job;
+        line.insert(line.end(), more);
+        return line;
+    };
+    const std::uint64_t small = here.peak_memory(with({"-n", "0", "-o", "out.npy"}));
+    const std::uint64_t large = here.peak_memory(with({"-n", "14", "-o", "out.npy"}));
+    const auto plan = with({"-n", "14", "--plan"});
+    const std::string text = here.run(plan).out;
+    const std::uint64_t planned = std::stoull(text.substr(text.find("memory ") + 7));
+    ASSERT_GT(planned, std::uint64_t{64} << 20);
+    EXPECT_LE(large - small, planned + planned * 15 / 100);
+}
+#endif
+
+TEST_F(Subdivide, LimitHasTheParameterAsAColumn) {
+    const Outcome limit = run({"square.csv", "-d", "2", "-n", "1", "--clamped", "--word", "LS", "--limit"});
+    EXPECT_EQ(limit.code, 0) << limit.err;
+    EXPECT_EQ(limit.out.substr(0, 12), "t,x,y\n0,0,0\n");
+    EXPECT_EQ(
+        run({"square.csv", "-d", "2", "-n", "1", "--clamped", "--word", "LS", "--limit", "--format", "json"}).code, 2);
+}
+
+TEST_F(Subdivide, HostileNamesAreTextInPictures) {
+    const std::string name = "</script><img src=x onerror=1>]]>";
+    here.file("evil.lsys", "intervals \"" + name + "\"\nL -> S L\nS -> L\n");
+    const Outcome picture =
+        here.run({"subdivide", "evil.lsys", "square.csv", "-d", "2", "-n", "1", "--word", "(LSLS)", "--format", "svg"});
+    ASSERT_EQ(picture.code, 0) << picture.err;
+    EXPECT_EQ(picture.out.find("<img"), std::string::npos);
+    EXPECT_EQ(picture.out.find("]]>"), std::string::npos);
+}
+
+TEST_F(Subdivide, ConvergeReportsAndWritesThePage) {
+    const Outcome text = here.run({"converge", "@fibonacci", "square.csv", "-d", "3", "-n", "6", "--word", "(LSLS)",
+                                   "--tolerance", "1e-3", "--html", "page.html"});
+    ASSERT_EQ(text.code, 0) << text.err;
+    EXPECT_THAT(text.out, HasSubstr("0.38"));
+    EXPECT_THAT(here.read("page.html"), HasSubstr("default-src 'none'"));
+    const Outcome json =
+        here.run({"converge", "@fibonacci", "square.csv", "-d", "3", "-n", "6", "--word", "(LSLS)", "--json"});
+    EXPECT_THAT(json.out, HasSubstr("\"internode-convergence\""));
+    EXPECT_EQ(
+        here.run({"converge", "@fibonacci", "square.csv", "-d", "3", "-n", "1000000000", "--word", "(LSLS)"}).code, 3);
+}
+
+} // namespace
+} // namespace internode::tests

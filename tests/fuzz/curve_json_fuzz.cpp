@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+//
+// Any text as a JSON curve: refused with places, or accepted and then the same after being written and read again.
+
+#include "internode/grammar/diagnostic.h"
+#include "internode/io/curve_json.h"
+#include "internode/io/polygon.h"
+
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+
+namespace {
+
+using namespace internode;
+
+void require(bool holds) {
+    if (!holds) std::abort();
+}
+
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+bool same_coefficients(const InputPolygon& a, const InputPolygon& b) {
+    if (a.lengths.size() != b.lengths.size()) return false;
+    for (std::size_t i = 0; i < a.lengths.size(); ++i)
+        if (a.lengths[i].coefficients != b.lengths[i].coefficients) return false;
+    return true;
+}
+
+std::vector<CurveLength> written(const std::vector<InputLength>& lengths) {
+    std::vector<CurveLength> result;
+    for (const InputLength& length : lengths) {
+        result.push_back({length.symbol.text, 0, {}});
+        for (const Rational& coefficient : length.coefficients) result.back().exact.push_back(to_string(coefficient));
+    }
+    return result;
+}
+
+void require_same_after_writing(const InputPolygon& polygon) {
+    CurveDocument curve;
+    Word word;
+    for (const PlacedText& letter : polygon.word_letters.value_or(std::vector<PlacedText>{})) {
+        word.push_back(to_symbol(curve.symbols.size()));
+        curve.symbols.push_back(letter.text);
+    }
+    curve.word = word;
+    curve.degree = polygon.degree.value_or(1);
+    curve.lengths = written(polygon.lengths);
+    curve.points = {polygon.dimension, polygon.points};
+    StringSink sink;
+    require(write_curve_json(sink, curve));
+    const ParsedPolygon again = read_polygon(sink.text(), "again.json");
+    require(again.polygon && same_bits(again.polygon->points, polygon.points));
+    require(again.polygon->degree == curve.degree && same_coefficients(*again.polygon, polygon));
+    require(again.polygon->word_letters.value_or(std::vector<PlacedText>{}).size() == word.size());
+}
+
+/// An exact number may have more digits, written as a fraction, than a text of ours may have.
+bool has_moderate_lengths(const InputPolygon& polygon) {
+    for (const InputLength& length : polygon.lengths)
+        for (const Rational& coefficient : length.coefficients)
+            if (to_string(coefficient).size() > 300) return false;
+    return true;
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    const ParsedPolygon parsed = read_polygon_json(text, "fuzz.json");
+    require(parsed.polygon.has_value() == parsed.errors.empty());
+    if (!parsed.polygon)
+        require(!to_string(parsed.errors).empty());
+    else if (has_moderate_lengths(*parsed.polygon))
+        require_same_after_writing(*parsed.polygon);
+    return 0;
+}

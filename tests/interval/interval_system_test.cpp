@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/interval/interval_system.h"
+
+#include "internode/interval/validity.h"
+#include "tests/interval/grammars.h"
+
+#include <gmock/gmock.h>
+
+#include <stdexcept>
+
+namespace internode {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::SizeIs;
+
+IntervalSystem system_of(const IntervalGrammar& grammar) {
+    return validate(grammar).system.value();
+}
+
+const IntervalGrammar fibonacci = make_grammar({{"L", "S L"}, {"S", "L"}});
+
+TEST(IntervalSystem, TheZeroIntervalHasLengthZero) {
+    const IntervalSystem system = system_of(fibonacci);
+    EXPECT_EQ(system.length(zero_interval), Number(0));
+    EXPECT_FALSE(system.occurs(zero_interval));
+    EXPECT_EQ(system.length(Symbol{0}), system.ratio());
+    EXPECT_THROW((void)system.length(Symbol{2}), std::out_of_range);
+}
+
+TEST(IntervalSystem, OnlyTheGoldenRatioHasItsOwnName) {
+    EXPECT_EQ(system_of(fibonacci).ratio_name(), "φ");
+    EXPECT_EQ(system_of(slow_growth(2)).ratio_name(), "ρ");
+}
+
+TEST(IntervalSystem, BisectionKeepsLengthsAndField) {
+    const IntervalSystem system = system_of(fibonacci);
+    const IntervalSystem halves = bisection(system);
+    EXPECT_EQ(halves.lengths(), system.lengths());
+    EXPECT_EQ(halves.field(), system.field());
+    EXPECT_EQ(halves.ratio(), Number(2));
+    EXPECT_EQ(halves.rules().images()[1], (Word{Symbol{1}, Symbol{1}}));
+    EXPECT_EQ(halves.period(), 1U);
+    EXPECT_THAT(with_lengths(halves, {{Symbol{1}, 7}}).system.value().lengths(),
+                ElementsAre(system.ratio(), Number(7)));
+}
+
+TEST(IntervalSystem, AGivenLengthScalesTheOthers) {
+    const IntervalSystem system = system_of(fibonacci);
+    const FixedLengths fixed = with_lengths(system, {{Symbol{1}, Number(Rational(1, 2))}});
+    ASSERT_TRUE(fixed.system);
+    EXPECT_THAT(fixed.system->lengths(), ElementsAre(system.ratio() / 2, Number(Rational(1, 2))));
+    EXPECT_THAT(fixed.system->grammar().lengths, SizeIs(1));
+    const FixedLengths again = with_lengths(*fixed.system, {{Symbol{0}, 3}});
+    EXPECT_THAT(again.system->grammar().lengths, ElementsAre(LengthDeclaration{Symbol{0}, 3}))
+        << "the old declaration no longer holds";
+}
+
+TEST(IntervalSystem, AGivenLengthMayLieInTheField) {
+    const IntervalSystem system = system_of(fibonacci);
+    const Number phi = system.ratio();
+    const FixedLengths fixed = with_lengths(system, {{Symbol{0}, 1 / phi}, {Symbol{1}, 1 / (phi * phi)}});
+    ASSERT_TRUE(fixed.system);
+    EXPECT_THAT(fixed.system->lengths(), ElementsAre(1 / phi, 1 / (phi * phi)));
+    EXPECT_THAT(fixed.system->grammar().lengths, SizeIs(0)) << "a grammar can only say rational ones";
+    const Number other = NumberField({-2, 0, 1}, 1, 2).generator();
+    EXPECT_THROW((void)with_lengths(system, {{Symbol{0}, other}}), std::invalid_argument);
+}
+
+TEST(IntervalSystem, GivenLengthsThatDisagreeAreReportedWithBothNumbers) {
+    const IntervalSystem system = system_of(fibonacci);
+    const FixedLengths fixed = with_lengths(system, {{Symbol{1}, 1}, {Symbol{0}, 2}});
+    EXPECT_FALSE(fixed.system);
+    ASSERT_THAT(fixed.conflicts, SizeIs(1));
+    EXPECT_EQ(fixed.conflicts[0].symbol, Symbol{0});
+    EXPECT_EQ(fixed.conflicts[0].given, Number(2));
+    EXPECT_EQ(fixed.conflicts[0].implied, system.ratio());
+    EXPECT_THROW((void)with_lengths(system, {{Symbol{1}, 0}}), std::invalid_argument);
+    EXPECT_THROW((void)with_lengths(system, {{Symbol{9}, 1}}), std::out_of_range);
+}
+
+TEST(IntervalSystem, SharedSymbolsFollowTheScalesOfTheirFinalClasses) {
+    const IntervalSystem system = system_of(make_grammar({{"P", "P B C"}, {"B", "B B B"}, {"C", "C C C"}}));
+    const FixedLengths fixed = with_lengths(system, {{Symbol{1}, 3}, {Symbol{2}, 5}});
+    ASSERT_TRUE(fixed.system);
+    EXPECT_THAT(fixed.system->lengths(), ElementsAre(Number(4), Number(3), Number(5))) << "3 P = P + B + C";
+}
+
+} // namespace
+} // namespace internode

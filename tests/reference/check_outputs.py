@@ -1,0 +1,661 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Checks JSON that internode wrote, from the JSON alone: against its schema, then against the mathematics.
+
+Independent of the program: exact fractions in Q[x]/(minimal polynomial) with an isolating interval for the root; masks
+by Oslo algorithm, stencils by Marsden's identity, words by rewriting, curves by de Boor.
+
+  check_outputs.py --schema-dir docs/schema FILE...
+  check_outputs.py --schema-dir docs/schema --refined INPUT.json VALIDATION.json STEPS OUTPUT.json
+
+Exit code 0 when everything holds, 1 with a line per fault otherwise.
+"""
+
+import argparse
+import itertools
+import json
+import math
+import pathlib
+import sys
+from fractions import Fraction
+
+try:
+    import jsonschema
+except ImportError:  # the schemas are then not checked, and the last line says so
+    jsonschema = None
+
+
+class Fault(Exception):
+    pass
+
+
+def require(condition, message):
+    if not condition:
+        raise Fault(message)
+
+
+# --- the field -------------------------------------------------------------------------------------------------------
+
+
+class Field:
+    """Q(root) by its minimal polynomial (low degree first, monic) and the double nearest to the root."""
+
+    def __init__(self, polynomial, root):
+        self.polynomial = [Fraction(c) for c in polynomial]
+        self.degree = len(polynomial) - 1
+        require(self.polynomial[-1] == 1, "the minimal polynomial is not monic")
+        if self.degree == 1:
+            self.lower = self.upper = -self.polynomial[0]
+        else:
+            centre = Fraction(root)
+            width = abs(centre) * Fraction(1, 2**50)
+            self.lower, self.upper = centre - width, centre + width
+            self.low_sign = self._value(self.lower) > 0
+            require(self.low_sign != (self._value(self.upper) > 0), "the root is not a root of the minimal polynomial")
+
+    def _value(self, x):
+        value = Fraction(0)
+        for c in reversed(self.polynomial):
+            value = value * x + c
+        return value
+
+    def refine(self):
+        middle = (self.lower + self.upper) / 2
+        if (self._value(middle) > 0) == self.low_sign:
+            self.lower = middle
+        else:
+            self.upper = middle
+
+    def number(self, coefficients):
+        require(len(coefficients) == self.degree, "a number has other than degree-of-the-field coefficients")
+        return Element(self, [Fraction(c) for c in coefficients])
+
+    def constant(self, value):
+        return Element(self, [Fraction(value)] + [Fraction(0)] * (self.degree - 1))
+
+    def generator(self):
+        if self.degree == 1:
+            return self.constant(self.lower)
+        return Element(self, [Fraction(0), Fraction(1)] + [Fraction(0)] * (self.degree - 2))
+
+
+class Element:
+    def __init__(self, field, coefficients):
+        self.field = field
+        self.c = coefficients
+
+    def __add__(self, other):
+        return Element(self.field, [a + b for a, b in zip(self.c, other.c)])
+
+    def __sub__(self, other):
+        return Element(self.field, [a - b for a, b in zip(self.c, other.c)])
+
+    def __mul__(self, other):
+        product = [Fraction(0)] * (2 * self.field.degree - 1)
+        for i, a in enumerate(self.c):
+            if a:
+                for j, b in enumerate(other.c):
+                    if b:
+                        product[i + j] += a * b
+        for power in range(len(product) - 1, self.field.degree - 1, -1):
+            lead = product[power]
+            if lead:
+                for i in range(self.field.degree):
+                    product[power - self.field.degree + i] -= lead * self.field.polynomial[i]
+        return Element(self.field, product[: self.field.degree])
+
+    def scaled(self, factor):
+        return Element(self.field, [factor * a for a in self.c])
+
+    def inverse(self):
+        """Solves self * x = 1 by elimination on the matrix of multiplication."""
+        n = self.field.degree
+        rows, power = [], self
+        for _ in range(n):
+            rows.append(list(power.c))
+            power = power * self.field.generator() if n > 1 else power
+        system = [[rows[j][i] for j in range(n)] + [Fraction(int(i == 0))] for i in range(n)]
+        for i in range(n):
+            pivot = next(r for r in range(i, n) if system[r][i] != 0)
+            system[i], system[pivot] = system[pivot], system[i]
+            system[i] = [a / system[i][i] for a in system[i]]
+            for r in range(n):
+                if r != i and system[r][i] != 0:
+                    factor = system[r][i]
+                    system[r] = [a - factor * b for a, b in zip(system[r], system[i])]
+        return Element(self.field, [system[i][n] for i in range(n)])
+
+    def is_zero(self):
+        return not any(self.c)
+
+    def __eq__(self, other):
+        return self.c == other.c
+
+    def bounds(self):
+        """Between two fractions: Horner in interval arithmetic over the root's interval (which is positive)."""
+        low = high = Fraction(0)
+        for c in reversed(self.c):
+            products = [low * self.field.lower, low * self.field.upper, high * self.field.lower, high * self.field.upper]
+            low, high = min(products) + c, max(products) + c
+        return low, high
+
+    def sign(self):
+        if self.is_zero():
+            return 0
+        while True:
+            low, high = self.bounds()
+            if low > 0:
+                return 1
+            if high < 0:
+                return -1
+            self.field.refine()
+
+    def to_float(self):
+        if not any(self.c[1:]):
+            return float(self.c[0])
+        for _ in range(400):
+            low, high = self.bounds()
+            if float(low) == float(high):
+                return float(low)
+            self.field.refine()
+        raise Fault("a number could not be separated from the middle of two doubles")
+
+
+def total(field, terms):
+    result = field.constant(0)
+    for term in terms:
+        result = result + term
+    return result
+
+
+def read_number(field, entry, what):
+    """An exact number, whose value must be the nearest double."""
+    number = field.number(entry["exact"])
+    if entry["value"] is not None:
+        require(number.to_float() == entry["value"], f"{what}: value {entry['value']!r} is not the nearest double")
+    return number
+
+
+# --- grammars --------------------------------------------------------------------------------------------------------
+
+
+class System:
+    """The exact part of a document: field, ratio, rules, lengths."""
+
+    def __init__(self, document):
+        self.field = Field(document["field"]["minimal_polynomial"], document["field"]["root"])
+        self.ratio = read_number(self.field, document["ratio"], "ratio")
+        require(self.ratio == self.field.generator(), "the ratio is not the generator of its field")
+        require(self.ratio.to_float() == document["field"]["root"], "the root is not the nearest double")
+        self.rules = document["grammar"]["rules"]
+        self.axiom = document["grammar"]["axiom"]
+        self.lengths = {"0": self.field.constant(0)}
+        for symbol in document["symbols"]:
+            if symbol["length"] is not None:
+                self.lengths[symbol["name"]] = read_number(self.field, symbol["length"], f"length of {symbol['name']}")
+        self.check_lengths()
+
+    def image(self, symbol):
+        return ["0"] if symbol == "0" else self.rules[symbol]
+
+    def rewritten(self, word):
+        return [child for symbol in word for child in self.image(symbol)]
+
+    def check_lengths(self):
+        """rho a = M a, a > 0, rho > 1."""
+        require((self.ratio - self.field.constant(1)).sign() > 0, "the ratio is not above 1")
+        for symbol, length in self.lengths.items():
+            if symbol == "0":
+                continue
+            require(length.sign() > 0, f"the length of {symbol} is not positive")
+            image = self.rules[symbol]
+            require(all(child in self.lengths for child in image), f"{symbol} has a length, a child of it has none")
+            require(
+                self.ratio * length == total(self.field, [self.lengths[child] for child in image]),
+                f"rho a = M a does not hold for {symbol}",
+            )
+
+    def knots(self, word):
+        knots = [self.field.constant(0)]
+        for symbol in word:
+            knots.append(knots[-1] + self.lengths[symbol])
+        return knots
+
+
+def occurring(rules, axiom):
+    if axiom is None:
+        return set(rules)
+    found, queue = set(), [s for s in axiom["word"] if s != "0"]
+    while queue:
+        symbol = queue.pop()
+        if symbol not in found:
+            found.add(symbol)
+            queue.extend(rules[symbol])
+    return found
+
+
+def reachable_sets(rules, symbols):
+    reached = {}
+    for start in symbols:
+        seen, queue = set(), list(rules[start])
+        while queue:
+            symbol = queue.pop()
+            if symbol not in seen:
+                seen.add(symbol)
+                queue.extend(rules[symbol])
+        reached[start] = seen
+    return reached
+
+
+# --- validation ------------------------------------------------------------------------------------------------------
+
+MOST_SYMBOLS_FOR_CLASSES = 300
+
+
+def check_classes(document):
+    rules = document["grammar"]["rules"]
+    symbols = occurring(rules, document["grammar"]["axiom"])
+    listed = [s for c in document["classes"] for s in c["symbols"]]
+    require(sorted(listed) == sorted(symbols), "the classes are not a partition of the symbols that occur")
+    if len(symbols) > MOST_SYMBOLS_FOR_CLASSES:
+        return
+    reached = reachable_sets(rules, symbols)
+    for entry in document["classes"]:
+        first = entry["symbols"][0]
+        mine = {first} | {s for s in reached[first] if first in reached[s]}
+        require(set(entry["symbols"]) == mine, f"the class of {first} is not strongly connected and maximal")
+        require(entry["final"] == (reached[first] <= mine), f"the class of {first}: final is wrong")
+        require((entry["period"] == 0) == (first not in reached[first]), f"the class of {first}: period is wrong")
+
+
+def check_frequencies(document, system):
+    """s M = rho s, s >= 0, sum 1."""
+    field = system.field
+    entries = {s["name"]: s["frequency"] for s in document["symbols"] if s["frequency"] is not None}
+    if not entries:
+        return
+    frequency = {name: read_number(field, entry, f"frequency of {name}") for name, entry in entries.items()}
+    require(total(field, frequency.values()) == field.constant(1), "the frequencies do not sum to 1")
+    for name, value in frequency.items():
+        require(value.sign() >= 0, f"the frequency of {name} is negative")
+        produced = total(field, [v.scaled(system.rules[other].count(name)) for other, v in frequency.items()])
+        require(produced == system.ratio * value, f"s M = rho s does not hold for {name}")
+
+
+def check_approximately(document):
+    """The same for a system known by enclosures only, in doubles."""
+    rules = document["grammar"]["rules"]
+    lengths = {s["name"]: s["length"]["value"] for s in document["symbols"] if s["length"] is not None}
+    ratio = document["ratio"]["value"]
+    for name, length in lengths.items():
+        image = math.fsum(lengths[child] for child in rules[name])
+        require(abs(ratio * length - image) <= 1e-6 * image, f"rho a = M a does not nearly hold for {name}")
+
+
+def check_validation(document):
+    check_classes(document)
+    lower, upper = document["enclosure"]["lower"], document["enclosure"]["upper"]
+    require(lower <= document["ratio"]["value"] <= upper, "the ratio lies outside its enclosure")
+    require(document["valid"] is True or document["reasons"], "not valid, and no reason given")
+    if document["valid"] is not True:
+        require(all(s["length"] is None for s in document["symbols"]), "lengths without validity")
+        return
+    require(not document["reasons"], "valid, and yet reasons why not")
+    require(document["theorems"], "valid, and no theorem says so")
+    if document["exactness"] == "enclosure":
+        check_approximately(document)
+        return
+    system = System(document)
+    require(
+        set(system.lengths) - {"0"} == occurring(system.rules, system.axiom), "the symbols that occur have the lengths"
+    )
+    for bound, sign in ((lower, -1), (upper, 1)):
+        require(
+            (system.field.constant(Fraction(bound)) - system.ratio).sign() in (0, sign), "the enclosure misses the ratio"
+        )
+    check_frequencies(document, system)
+    require(document["free_lengths"] == sum(c["final"] for c in document["classes"]), "free lengths are final classes")
+
+
+# --- masks -----------------------------------------------------------------------------------------------------------
+
+
+def oslo_weights(system, word):
+    """Weights of the basis function of `word` over the refined ones, left to right (Cohen, Lyche, Riesenfeld 1980)."""
+    field, degree = system.field, len(word) - 1
+    images = [system.image(symbol) for symbol in word]
+    image = [child for part in images for child in part]
+    owner = [k for k, part in enumerate(images) for _ in part]
+    old = [knot * system.ratio for knot in system.knots(word)]  # in the unit of the refined lengths
+    new = system.knots(image)
+
+    def interval(position):
+        """The old interval that holds the refined knot `position`: the first one with a length from there on."""
+        while position < len(image) and image[position] == "0":
+            position += 1
+        return owner[position] if position < len(image) else None
+
+    def quotient(numerator, denominator):
+        return field.constant(0) if denominator.is_zero() else numerator * denominator.inverse()
+
+    weights = []
+    for l in range(len(image) - degree):
+        alpha = [field.constant(int(interval(l) == j)) for j in range(degree + 1)]
+        for k in range(1, degree + 1):
+            u = new[l + k]
+            alpha = [
+                quotient((u - old[j]) * alpha[j], old[j + k] - old[j])
+                + quotient((old[j + k + 1] - u) * alpha[j + 1], old[j + k + 1] - old[j + 1])
+                for j in range(degree + 1 - k)
+            ]
+        weights.append(alpha[0])
+    return weights, image
+
+
+def check_decomposition(system, entry, degree):
+    word = entry["word"]
+    name = " ".join(word)
+    require(len(word) == degree + 1, f"{name}: a decomposition has degree + 1 letters")
+    expected, image = oslo_weights(system, word)
+    require(len(entry["mask"]) == len(expected), f"{name}: {len(entry['mask'])} weights, not {len(expected)}")
+    new = system.knots(image)
+    mass = system.field.constant(0)
+    for l, (item, weight) in enumerate(zip(entry["mask"], expected)):
+        require(item["word"] == image[l : l + degree + 1], f"{name}: entry {l} is not a factor of its image")
+        number = read_number(system.field, item["weight"], f"{name}, entry {l}")
+        require(number.sign() >= 0, f"{name}: entry {l} is negative")
+        require(number == weight, f"{name}: entry {l} is not the weight of knot insertion")
+        mass = mass + number * (new[l + degree + 1] - new[l])
+    require(mass == new[-1], f"{name}: the mass identity does not hold")
+
+
+def check_graph(document):
+    """Persistent words: on a cycle or reached from one; and the list is closed under images."""
+    words = [tuple(entry["word"]) for entry in document["decompositions"]]
+    require(len(set(words)) == len(words), "a decomposition stands twice")
+    arcs = {tuple(e["word"]): {tuple(i["word"]) for i in e["mask"]} for e in document["decompositions"]}
+    for word, targets in arcs.items():
+        for target in targets:
+            require(target in arcs, f"{' '.join(target)}, a child of {' '.join(word)}, is missing")
+    persistent = set(words)  # keep taking images of the whole list: what stays is what occurs for ever
+    while True:
+        image = set().union(*(arcs[word] for word in persistent)) if persistent else set()
+        if image == persistent:
+            break
+        require(image < persistent, "images are not among the words")
+        persistent = image
+    for entry in document["decompositions"]:
+        require(entry["persistent"] == (tuple(entry["word"]) in persistent), f"{entry['word']}: persistent is wrong")
+
+
+def elementary(field, values):
+    """Elementary symmetric polynomials 0 ... n of n numbers."""
+    polynomials = [field.constant(1)]
+    for value in values:
+        higher = [p * value for p in polynomials]
+        polynomials = [
+            (polynomials[k] if k < len(polynomials) else field.constant(0)) + (higher[k - 1] if k else field.constant(0))
+            for k in range(len(polynomials) + 1)
+        ]
+    return polynomials
+
+
+def check_row(system, local, arguments, entries, what):
+    """Marsden: a row maps the symmetric polynomials of old knots to those of the new: sums to 1, Greville, all degrees."""
+    degree = len(arguments)
+    require(len(entries) == degree + 1, f"{what}: a row has degree + 1 weights")
+    weights = [read_number(system.field, entry, what) for entry in entries]
+    for weight in weights:
+        require(weight.sign() >= 0, f"{what}: a weight is negative")
+    wanted = elementary(system.field, arguments)
+    sums = [system.field.constant(0)] * (degree + 1)
+    for i, weight in enumerate(weights):
+        for k, value in enumerate(elementary(system.field, local[i : i + degree])):
+            sums[k] = sums[k] + weight * value
+    for k in range(degree + 1):
+        require(sums[k] == wanted[k], f"{what}: polynomials of degree {k} are not reproduced")
+
+
+def check_window(system, document, entry, degree):
+    word = entry["word"]
+    name = " ".join(word)
+    require(len(word) == 2 * degree - 1 and word[degree - 1] != "0", f"{name}: not a window")
+    image = system.rewritten(word)
+    first = len(system.rewritten(word[: degree - 1]))
+    children = system.image(word[degree - 1])
+    local = [knot * system.ratio for knot in system.knots(word)]
+    new = system.knots(image)
+    require(len(entry["children"]) == len(children), f"{name}: {len(entry['children'])} children")
+    for c, child in enumerate(entry["children"]):
+        place = first + c
+        window = document["windows"][child["window"]]["word"]
+        require(window == image[place - degree + 1 : place + degree], f"{name}: child {c} has another window")
+        check_row(system, local, new[place + 1 : place + degree + 1], child["weights"], f"{name}, child {c}")
+    require(len(entry["leading"]) == degree, f"{name}: there are d leading rows")
+    for z in range(1, degree + 1):
+        arguments = new[first - z + 1 : first - z + degree + 1]
+        check_row(system, local, arguments, entry["leading"][z - 1], f"{name}, z = {z}")
+
+
+def check_masks(document):
+    system = System(document)
+    degree = document["degree"]
+    require(document["decompositions"] and document["windows"], "nothing in the table")
+    for entry in document["decompositions"]:
+        check_decomposition(system, entry, degree)
+    check_graph(document)
+    for entry in document["windows"]:
+        check_window(system, document, entry, degree)
+
+
+# --- convergence -----------------------------------------------------------------------------------------------------
+
+
+def check_constant(document, system):
+    """C* of its word: the mean square distance of d knots."""
+    degree = document["degree"]
+    constant = read_number(system.field, document["constant"], "constant")
+    word = document["constant_word"]
+    if degree == 1:
+        require(constant.is_zero(), "the constant of degree 1 is 0")
+        return
+    require(len(word) == degree - 1, "the constant is attained at d - 1 letters")
+    knots = system.knots(word)
+    squares = [(a - b) * (a - b) for a, b in itertools.combinations(knots, 2)]
+    expected = total(system.field, squares).scaled(Fraction(1, 2 * degree**2 * (degree - 1)))
+    require(constant == expected, "the constant is not that of its word")
+
+
+def check_convergence(document):
+    system = System(document)
+    one = system.field.constant(1)
+    expected = read_number(system.field, document["expected_ratio"], "expected ratio")
+    require(expected * system.ratio * system.ratio == one, "the expected ratio is not 1 / rho^2")
+    check_constant(document, system)
+    period = document["period"]
+    steps = document["steps"]
+    for s, step in enumerate(steps):
+        require(step["step"] == s, "a step is missing")
+        require(step["envelope"] >= step["error"] * (1 - 1e-9), f"step {s}: the error leaves its envelope")
+        if s > 0:
+            require(step["points"] >= steps[s - 1]["points"], f"step {s}: fewer points than before")
+        if s >= period and steps[s - period]["error"] > 0 and step["error"] > 0:
+            ratio = (step["error"] / steps[s - period]["error"]) ** (1 / period)
+            require(step["ratio"] is not None, f"step {s}: the ratio is missing")
+            require(abs(ratio - step["ratio"]) <= 1e-9 * ratio, f"step {s}: the ratio is not that of the errors")
+        else:
+            require(step["ratio"] in (None, 0), f"step {s}: a ratio out of nothing")
+    if document["degree"] == 1:
+        require(all(step["error"] == 0 for step in steps), "at degree 1 the polygon is the curve")
+    depth = document["depth_for_tolerance"]
+    if depth and depth["steps"] is not None and depth["measured"] and depth["steps"] < len(steps):
+        require(steps[depth["steps"]]["envelope"] <= depth["tolerance"], "the tolerance is not reached where it says so")
+
+
+# --- curves ----------------------------------------------------------------------------------------------------------
+
+
+def check_curve(document):
+    points = document["points"]
+    require(len({len(point) for point in points}) == 1, "points of different dimension")
+    if "word" in document:
+        letters = len(points) + (0 if document.get("closed", False) else document["degree"])
+        require(len(document["word"]) == letters, f"{len(document['word'])} letters for {len(points)} points")
+
+
+def refined_word(rules, word, degree, closed):
+    def image(part):
+        return [child for symbol in part for child in (["0"] if symbol == "0" else rules[symbol])]
+
+    if closed:
+        return image(word)
+    return image(word[:degree])[-degree:] + image(word[degree:-degree]) + image(word[-degree:])[:degree]
+
+
+class SampledCurve:
+    """A curve evaluated by de Boor in fractions. The domain starts at 0."""
+
+    def __init__(self, document, lengths):
+        self.degree, self.closed = document["degree"], document.get("closed", False)
+        word, points = document["word"], [[Fraction(x) for x in p] for p in document["points"]]
+        if self.closed:  # unrolled: d letters before, d + 1 behind
+            letters = [word[i % len(word)] for i in range(-self.degree, len(word) + self.degree + 1)]
+            self.points = [points[i % len(points)] for i in range(-self.degree, len(word) + 1)]
+            self.last = self.degree + len(word)
+        else:
+            letters, self.points = word, points
+            self.last = len(points)
+        self.word = letters
+        self.knots = [Fraction(0)]
+        for symbol in letters:
+            self.knots.append(self.knots[-1] + (Fraction(0) if symbol == "0" else lengths[symbol]))
+        start = self.knots[self.degree]
+        self.knots = [knot - start for knot in self.knots]
+
+    def end(self):
+        return self.knots[self.last]
+
+    def at(self, x):
+        j = self.degree
+        while j + 1 < self.last and self.knots[j + 1] <= x:
+            j += 1
+        values = [list(p) for p in self.points[j - self.degree : j + 1]]
+        for r in range(1, self.degree + 1):
+            for i in range(self.degree, r - 1, -1):
+                low, high = self.knots[j - self.degree + i], self.knots[j + 1 + i - r]
+                t = (x - low) / (high - low)
+                values[i] = [(1 - t) * a + t * b for a, b in zip(values[i - 1], values[i])]
+        return values[self.degree]
+
+
+def sharp_field(validation):
+    """The field, its root enclosed far beyond double precision."""
+    field = Field(validation["field"]["minimal_polynomial"], validation["field"]["root"])
+    for _ in range(80):
+        if field.degree > 1:
+            field.refine()
+    return field
+
+
+def exact_lengths(field, validation, curve):
+    """Those of the curve where it has its own, else those of the system."""
+    entries = {s["name"]: s["length"] for s in validation["symbols"] if s["length"] is not None}
+    given = curve.get("lengths", {})
+    for name, entry in given.items():
+        require(isinstance(entry, dict), f"the length of {name} is not written exactly")
+        require(field.number(entry["exact"]).to_float() == entry["value"], f"length of {name}: not the nearest double")
+    entries.update(given)
+    return {name: field.number(entry["exact"]) for name, entry in entries.items()}
+
+
+SAMPLES = 24
+TOLERANCE = Fraction(1, 10**12)  # relative to the coordinates, which are doubles
+
+
+def check_refined(coarse, validation, steps, fine):
+    """Words letter by letter, counts, and the same curve at some parameters."""
+    require(coarse["degree"] == fine["degree"], "the degree changed")
+    require(coarse.get("closed", False) == fine.get("closed", False), "an open curve became closed, or closed open")
+    word = coarse["word"]
+    for _ in range(steps):
+        word = refined_word(validation["grammar"]["rules"], word, coarse["degree"], coarse.get("closed", False))
+    require(word == fine["word"], "the word is not the rewritten word")
+    field = sharp_field(validation)
+    scale = field.constant(1)
+    for _ in range(steps):
+        scale = scale * field.generator()
+    old, new = exact_lengths(field, validation, coarse), exact_lengths(field, validation, fine)
+    for name in set(word) - {"0"}:
+        require(new[name] * scale == old[name], f"the length of {name} was not divided by rho^{steps}")
+    before = SampledCurve(coarse, {name: length.bounds()[0] for name, length in old.items()})
+    after = SampledCurve(fine, {name: length.bounds()[0] for name, length in new.items()})
+    size = max(abs(x) for point in coarse["points"] for x in point) or 1
+    for k in range(SAMPLES):
+        x = before.end() * Fraction(2 * k + 1, 2 * SAMPLES + 1)
+        for a, b in zip(before.at(x), after.at(x)):
+            require(abs(a - b) <= TOLERANCE * Fraction(size), f"the curves differ at {float(x)}: {float(a - b)}")
+
+
+# --- all -------------------------------------------------------------------------------------------------------------
+
+CHECKS = {
+    "internode-validation": ("validation", check_validation),
+    "internode-masks": ("masks", check_masks),
+    "internode-convergence": ("convergence", check_convergence),
+    "internode-curve": ("curve", check_curve),
+}
+
+
+def no_constant(name):
+    raise Fault(f"{name} is not JSON")
+
+
+def load(path, schemas):
+    document = json.loads(pathlib.Path(path).read_text(encoding="utf-8"), parse_constant=no_constant)
+    require(document.get("format") in CHECKS, f"unknown format {document.get('format')!r}")
+    name = CHECKS[document["format"]][0]
+    if jsonschema is not None and schemas is not None:
+        schema = json.loads((schemas / f"{name}.schema.json").read_text(encoding="utf-8"))
+        validator = jsonschema.Draft202012Validator(schema)
+        fault = jsonschema.exceptions.best_match(validator.iter_errors(document))
+        require(fault is None, f"schema: {fault and fault.message} at {fault and list(fault.absolute_path)}")
+    return document
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Checks JSON that internode wrote.")
+    parser.add_argument("--schema-dir", type=pathlib.Path)
+    parser.add_argument("--refined", nargs=4, action="append", default=[], metavar=("INPUT", "VALIDATION", "STEPS", "OUTPUT"))
+    parser.add_argument("files", nargs="*", type=pathlib.Path)
+    options = parser.parse_args()
+    faults = checked = 0
+
+    def attempt(name, check):
+        nonlocal faults, checked
+        checked += 1
+        try:
+            check()
+        except (Fault, KeyError, IndexError, ValueError, TypeError, OSError) as fault:
+            faults += 1
+            print(f"{name}: {type(fault).__name__}: {fault}", file=sys.stderr)
+
+    def check_file(path):
+        document = load(path, options.schema_dir)
+        CHECKS[document["format"]][1](document)
+
+    for path in options.files:
+        attempt(path, lambda: check_file(path))
+    for coarse, validation, steps, fine in options.refined:
+        attempt(
+            fine,
+            lambda: check_refined(
+                load(coarse, options.schema_dir), load(validation, options.schema_dir), int(steps), load(fine, options.schema_dir)
+            ),
+        )
+    schemas = "" if jsonschema is not None and options.schema_dir else " (schemas not checked)"
+    print(f"{checked} checked, {faults} at fault{schemas}")
+    return 1 if faults or not checked else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+//
+// B-spline curves the slow way: de Boor's recursion as it is written in textbooks, on knots added up letter by letter,
+// in long double. Closed curves are unrolled to open ones. Shares nothing with the library but word, lengths, ratio.
+
+#pragma once
+
+#include "internode/curve/curve.h"
+
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+namespace internode::reference {
+
+using Real = long double;
+
+/// An open curve with knots t_0 … t_{n+d} for n points; the domain is t_d … t_n.
+struct DeBoorCurve {
+    std::size_t degree = 1;
+    std::vector<Real> knots;
+    std::vector<std::vector<Real>> points;
+    [[nodiscard]] Real begin() const { return knots[degree]; }
+    [[nodiscard]] Real end() const { return knots[points.size()]; }
+};
+
+/// The domain starts at 0. Of a closed curve point m of the result is point m - d of the curve.
+inline DeBoorCurve de_boor_curve(const Curve& curve) {
+    const auto d = static_cast<std::size_t>(curve.degree());
+    const bool closed = curve.ends() == Ends::Circular;
+    const std::size_t size = curve.size();
+    const std::size_t shift = closed ? d * size - d : 0;
+    const std::size_t count = closed ? size + d : size;
+    const Number scale = pow(curve.system().ratio(), -curve.step());
+
+    DeBoorCurve result;
+    result.degree = d;
+    for (std::size_t m = 0; m < count; ++m) {
+        const double* row = curve.points().data() + (m + shift) % size * curve.dimension();
+        result.points.emplace_back(row, row + curve.dimension());
+    }
+    result.knots.assign(count + d + 1, 0);
+    const auto length = [&](std::size_t m) {
+        const Symbol symbol = curve.word()[(m + shift) % curve.word().size()];
+        return static_cast<Real>((curve.system().length(symbol) * scale).to_double());
+    };
+    for (std::size_t i = d; i > 0; --i) result.knots[i - 1] = result.knots[i] - length(i - 1);
+    for (std::size_t i = d; i < count + d; ++i) result.knots[i + 1] = result.knots[i] + length(i);
+    return result;
+}
+
+/// Point i of level r of de Boor's triangle at x.
+inline Real de_boor_value(const DeBoorCurve& curve, std::size_t i, std::size_t r, Real x, std::size_t c) {
+    if (r == 0) return curve.points[i][c];
+    const Real low = curve.knots[i];
+    const Real high = curve.knots[i + curve.degree + 1 - r];
+    const Real alpha = (x - low) / (high - low);
+    return (1 - alpha) * de_boor_value(curve, i - 1, r - 1, x, c) + alpha * de_boor_value(curve, i, r - 1, x, c);
+}
+
+/// The curve at x, taking the piece over [t_j, t_{j+1}], which must not be empty.
+inline std::vector<Real> de_boor_piece(const DeBoorCurve& curve, std::size_t j, Real x) {
+    std::vector<Real> point;
+    for (std::size_t c = 0; c < curve.points.front().size(); ++c)
+        point.push_back(de_boor_value(curve, j, curve.degree, x, c));
+    return point;
+}
+
+/// The curve at x in its domain; at a knot the piece on its right, at the end the piece on its left.
+inline std::vector<Real> de_boor(const DeBoorCurve& curve, Real x) {
+    std::size_t found = 0;
+    for (std::size_t j = curve.degree; j < curve.points.size(); ++j)
+        if (curve.knots[j] < curve.knots[j + 1] && (found == 0 || curve.knots[j] <= x)) found = j;
+    if (found == 0) throw std::invalid_argument("the domain is empty");
+    return de_boor_piece(curve, found, x);
+}
+
+} // namespace internode::reference

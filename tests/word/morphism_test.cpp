@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/word/morphism.h"
+#include "tests/reference/words.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+using namespace internode;
+using reference::morphism;
+using reference::word;
+
+namespace {
+
+/// Fibonacci: a = L -> SL, b = S -> L.
+Morphism fibonacci() {
+    return morphism({"ba", "a"});
+}
+
+Word concatenated(Word a, const Word& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
+} // namespace
+
+TEST(Morphism, RewritesAllLettersAtOnceAndKeepsZeros) {
+    EXPECT_EQ(fibonacci()(word("baaba")), word("ababaaba"));
+    EXPECT_EQ(fibonacci()(word("00ab0")), word("00baa0"));
+    EXPECT_EQ(fibonacci()(Word{}), Word{});
+}
+
+TEST(Morphism, TurnsConcatenationIntoConcatenation) {
+    for (const Morphism& system : reference::all_systems(2, 2))
+        for (const char* left : {"", "a", "ab0"})
+            for (const char* right : {"", "b", "0ba"})
+                EXPECT_EQ(system(concatenated(word(left), word(right))),
+                          concatenated(system(word(left)), system(word(right))));
+}
+
+TEST(Morphism, RefusesARuleWithAnEmptySuccessor) {
+    EXPECT_THROW(Morphism({word("a"), Word{}}), std::invalid_argument);
+}
+
+TEST(Morphism, RefusesASymbolWithoutARule) {
+    EXPECT_THROW(morphism({"ab"}), std::invalid_argument);
+    EXPECT_THROW(morphism({"a0"}), std::invalid_argument);
+}
+
+TEST(Morphism, RefusesTheImageOfAForeignLetter) {
+    EXPECT_THROW((void)fibonacci()(word("c")), std::out_of_range);
+}
+
+TEST(MorphismPower, IsTheMorphismAppliedSoManyTimes) {
+    for (const Morphism& system : reference::all_systems(2, 2)) {
+        Word expected = word("a0b");
+        for (int exponent = 1; exponent <= 4; ++exponent) {
+            expected = system(expected);
+            EXPECT_EQ(power(system, exponent)(word("a0b")), expected);
+        }
+    }
+}
+
+TEST(MorphismPower, RefusesPowersBelowOne) {
+    EXPECT_THROW((void)power(fibonacci(), 0), std::invalid_argument);
+    EXPECT_THROW((void)power(fibonacci(), -1), std::invalid_argument);
+}
+
+TEST(LetterCounts, AreThoseOfTheWordItself) {
+    for (const Morphism& system : reference::all_systems(2, 3)) {
+        Word current = word("ab0a");
+        for (std::uint64_t steps = 0; steps <= 4; ++steps) {
+            const LetterCounts expected = letter_counts(system, current);
+            const LetterCounts counts = letter_counts(system, word("ab0a"), steps);
+            EXPECT_EQ(counts.symbols, expected.symbols);
+            EXPECT_EQ(counts.zeros, 1U);
+            EXPECT_EQ(counts.total, current.size());
+            EXPECT_FALSE(counts.saturated);
+            current = system(current);
+        }
+    }
+}
+
+TEST(LetterCounts, SaturateExactlyAboveTheCap) {
+    // Fibonacci from S: 1, 1, 2, 3, 5, 8, 13, …
+    EXPECT_FALSE(letter_counts(fibonacci(), word("b"), 6, 13).saturated);
+    EXPECT_TRUE(letter_counts(fibonacci(), word("b"), 6, 12).saturated);
+    EXPECT_TRUE(letter_counts(fibonacci(), word("bbb"), 0, 2).saturated);
+}
+
+TEST(LetterCounts, EndAtOnceForABillionSteps) {
+    EXPECT_TRUE(letter_counts(fibonacci(), word("a"), 1'000'000'000).saturated);
+    const LetterCounts fixed = letter_counts(morphism({"a"}), word("aa"), 1'000'000'000);
+    EXPECT_EQ(fixed.total, 2U);
+    EXPECT_FALSE(fixed.saturated);
+}
+
+TEST(LetterCounts, CountALinearGrowthToItsLastStep) {
+    // a -> ab, b -> b: one more letter a step.
+    EXPECT_EQ(letter_counts(morphism({"ab", "b"}), word("a"), 1'000'000).total, 1'000'001U);
+}
