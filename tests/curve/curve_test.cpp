@@ -184,17 +184,5 @@ TEST(Curve, ListsProblemsOfDifferentKindsTogether) {
     EXPECT_THAT(problems(data), testing::SizeIs(2));
 }
 
-TEST(Clamped, PutsDegreeZerosAtEachEnd) {
-    EXPECT_THAT(clamped(Word{a, b}, 2), ElementsAre(o, o, a, b, o, o));
-    EXPECT_THROW((void)clamped(Word{a}, -1), std::invalid_argument);
-}
-
-TEST(Repeated, CutsTheWordRepeatedForEver) {
-    EXPECT_THAT(repeated(Word{a, b}, 5), ElementsAre(a, b, a, b, a));
-    EXPECT_THAT(repeated(Word{a, b}, 1), ElementsAre(a));
-    EXPECT_THAT(repeated(Word{a}, 0), IsEmpty());
-    EXPECT_THROW((void)repeated(Word{}, 3), std::invalid_argument);
-}
-
 } // namespace
 } // namespace internode

@@ -2,10 +2,8 @@
 
 #include "internode/curve/curve.h"
 
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <stdexcept>
 
 namespace internode {
 
@@ -15,124 +13,35 @@ std::string counted(std::size_t count, std::string_view what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-/// Whether points and word have the sizes that degree and ends ask for.
-std::vector<std::string> size_problems(const CurveData& data) {
-    const auto degree = static_cast<std::size_t>(std::max(data.degree, 0));
-    if (data.degree < 1 || data.degree > max_degree)
-        return {fmt::format("the degree must be between 1 and {}, not {}", max_degree, data.degree)};
-    if (data.dimension == 0) return {"a point needs at least one coordinate"};
-    if (data.points.size() % data.dimension != 0)
-        return {fmt::format("{} do not make whole points of {}", counted(data.points.size(), "coordinate"),
-                            counted(data.dimension, "coordinate"))};
-    const std::size_t points = data.points.size() / data.dimension;
-    const bool open = data.ends == Ends::Open;
-    const std::size_t least = open ? degree + 1 : 1;
-    if (points < least)
-        return {fmt::format("{} curve of degree {} needs at least {}, not {}", open ? "an open" : "a closed",
-                            data.degree, counted(least, "point"), points)};
-    const std::size_t letters = open ? points + degree : points;
-    if (data.word.size() != letters)
-        return {fmt::format("{} curve of degree {} with {} needs a word of {}, not {}", open ? "an open" : "a closed",
-                            data.degree, counted(points, "point"), counted(letters, "letter"), data.word.size())};
-    return {};
+/// Whether the coordinates make whole points.
+std::vector<std::string> row_problems(std::size_t dimension, std::size_t coordinates) {
+    if (dimension == 0) return {"a point needs at least one coordinate"};
+    if (coordinates % dimension == 0) return {};
+    return {fmt::format("{} do not make whole points of {}", counted(coordinates, "coordinate"),
+                        counted(dimension, "coordinate"))};
 }
 
-/// The symbols of a word and of everything it can become, each once; those of the word first.
-Word reachable_symbols(const Morphism& rules, WordView word) {
-    Word symbols;
-    std::vector<bool> seen(rules.size());
-    const auto visit = [&](Symbol symbol) {
-        if (symbol == zero_interval || seen[to_index(symbol)]) return;
-        seen[to_index(symbol)] = true;
-        symbols.push_back(symbol);
-    };
-    for (const Symbol symbol : word) visit(symbol);
-    for (std::size_t i = 0; i < symbols.size(); ++i) {
-        const Symbol symbol = symbols[i];
-        for (const Symbol child : rules.image(symbol)) visit(child);
-    }
-    return symbols;
+/// Whether points and word have the sizes that degree, 1 … 12, and ends ask for.
+std::vector<std::string> count_problems(int degree, Ends ends, std::size_t letters, std::size_t points) {
+    const bool open = ends == Ends::Open;
+    const std::string curve = fmt::format("{} curve of degree {}", open ? "an open" : "a closed", degree);
+    const std::size_t extra = open ? static_cast<std::size_t>(degree) : 0;
+    const std::size_t least = extra + 1;
+    if (points < least) return {fmt::format("{} needs at least {}, not {}", curve, counted(least, "point"), points)};
+    if (letters == points + extra) return {};
+    return {fmt::format("{} with {} needs a word of {}, not {}", curve, counted(points, "point"),
+                        counted(points + extra, "letter"), letters)};
 }
 
-/// Whether each letter has a length, and one that doubles can carry. Each symbol is named once.
-std::vector<std::string> letter_problems(const IntervalSystem& system, const CurveData& data) {
-    for (std::size_t i = 0; i < data.word.size(); ++i)
-        if (data.word[i] != zero_interval && to_index(data.word[i]) >= system.alphabet().size())
-            return {fmt::format("letter {} of the word is not in the grammar's alphabet", i + 1)};
-    std::vector<std::string> problems;
-    for (const Symbol symbol : reachable_symbols(system.rules(), data.word)) {
-        const std::string& name = system.alphabet().name(symbol);
-        if (!system.occurs(symbol)) {
-            problems.push_back(fmt::format("`{}` has no length: the grammar's axiom never produces it", name));
-            continue;
-        }
-        const double length = system.length(symbol).to_double();
-        if (!(length >= smallest_length && length <= largest_length))
-            problems.push_back(fmt::format("the length of `{}` is {}: a curve needs lengths between {} and {}", name,
-                                           length, smallest_length, largest_length));
-    }
-    return problems;
-}
-
-struct Run {
-    std::size_t first = 0; ///< 0-based
-    std::size_t length = 0;
-};
-
-/// The longest run of `0`; across the seam when circular, where the word is not all zeros.
-Run longest_zero_run(WordView word, Ends ends) {
-    const std::size_t size = word.size();
-    std::size_t start = 0;
-    if (ends == Ends::Circular)
-        while (word[start] == zero_interval) ++start;
-    Run longest;
-    Run run;
-    for (std::size_t k = 0; k < size; ++k) {
-        const std::size_t i = (start + k) % size;
-        if (word[i] != zero_interval) {
-            run.length = 0;
-            continue;
-        }
-        if (run.length++ == 0) run.first = i;
-        if (run.length > longest.length) longest = run;
-    }
-    return longest;
-}
-
-/// Whether the domain has a length, begins and ends with it, and no basis function is empty.
-std::vector<std::string> zero_problems(const CurveData& data) {
-    const auto degree = static_cast<std::size_t>(data.degree);
-    const auto is_zero = [](Symbol symbol) { return symbol == zero_interval; };
-    if (std::ranges::all_of(data.word, is_zero)) return {"the word has no interval with a length: every letter is `0`"};
-    std::vector<std::string> problems;
-    if (data.ends == Ends::Open) {
-        const std::size_t last = data.word.size() - degree - 1;
-        if (is_zero(data.word[degree]))
-            problems.push_back(fmt::format("the domain must begin with an interval that has a length, but letter {} of "
-                                           "the word, its first, is `0`",
-                                           degree + 1));
-        if (last != degree && is_zero(data.word[last]))
-            problems.push_back(fmt::format("the domain must end with an interval that has a length, but letter {} of "
-                                           "the word, its last, is `0`",
-                                           last + 1));
-    }
-    const Run run = longest_zero_run(data.word, data.ends);
-    if (run.length > degree)
-        problems.push_back(fmt::format("{} zeros in a row from letter {} of the word: at most {} fit a curve of degree "
-                                       "{}, and {} already break it",
-                                       run.length, run.first + 1, degree, degree, degree));
-    return problems;
-}
-
-std::vector<std::string> coordinate_problems(const CurveData& data) {
+std::vector<std::string> coordinate_problems(std::size_t dimension, const std::vector<double>& points) {
     constexpr std::size_t listed = 5; // enough to see a pattern
     std::vector<std::string> problems;
     std::size_t found = 0;
-    for (std::size_t i = 0; i < data.points.size(); ++i) {
-        if (std::isfinite(data.points[i])) continue;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (std::isfinite(points[i])) continue;
         if (++found <= listed)
             problems.push_back(fmt::format("row {}, column {} is {}: every coordinate must be a finite number",
-                                           i / data.dimension + 1, i % data.dimension + 1, data.points[i]));
+                                           i / dimension + 1, i % dimension + 1, points[i]));
     }
     if (found > listed) problems.push_back(fmt::format("and {} more coordinates are not finite", found - listed));
     return problems;
@@ -140,45 +49,36 @@ std::vector<std::string> coordinate_problems(const CurveData& data) {
 
 } // namespace
 
-Curve::Curve(IntervalSystem system, CurveData data)
-    : system_(std::move(system))
-    , degree_(data.degree)
-    , ends_(data.ends)
-    , word_(std::move(data.word))
-    , dimension_(data.dimension)
-    , points_(std::move(data.points)) {}
+Curve::Curve(Knots knots, std::size_t dimension, std::vector<double> points)
+    : knots_(std::move(knots))
+    , dimension_(dimension)
+    , points_(std::move(points)) {}
 
-WordView Curve::domain() const {
-    const WordView word(word_);
-    if (ends_ == Ends::Circular) return word;
-    const auto degree = static_cast<std::size_t>(degree_);
-    return word.subspan(degree, word.size() - 2 * degree);
+CheckedCurve make_curve(Knots knots, std::size_t dimension, std::vector<double> points) {
+    CheckedCurve checked;
+    checked.problems = row_problems(dimension, points.size());
+    if (checked.problems.empty())
+        checked.problems = count_problems(knots.degree(), knots.ends(), knots.word().size(), points.size() / dimension);
+    if (checked.problems.empty()) checked.problems = coordinate_problems(dimension, points);
+    if (checked.problems.empty()) checked.curve = Curve(std::move(knots), dimension, std::move(points));
+    return checked;
 }
 
 CheckedCurve make_curve(const IntervalSystem& system, CurveData data) {
     CheckedCurve checked;
-    checked.problems = size_problems(data);
+    checked.problems = row_problems(data.dimension, data.points.size());
     if (!checked.problems.empty()) return checked;
-    for (const auto& problems : {letter_problems(system, data), zero_problems(data), coordinate_problems(data)})
-        checked.problems.insert(checked.problems.end(), problems.begin(), problems.end());
-    if (checked.problems.empty()) checked.curve = Curve(system, std::move(data));
+    if (data.degree >= 1 && data.degree <= max_degree) // other degrees are for make_knots
+        checked.problems =
+            count_problems(data.degree, data.ends, data.word.size(), data.points.size() / data.dimension);
+    if (!checked.problems.empty()) return checked;
+    CheckedKnots knots = make_knots(system, {data.degree, data.ends, std::move(data.word)});
+    checked.problems = std::move(knots.problems);
+    for (std::string& problem : coordinate_problems(data.dimension, data.points))
+        checked.problems.push_back(std::move(problem));
+    if (checked.problems.empty())
+        checked.curve = Curve(*std::move(knots.knots), data.dimension, std::move(data.points));
     return checked;
-}
-
-Word clamped(WordView domain, int degree) {
-    if (degree < 0) throw std::invalid_argument("a negative degree");
-    const auto zeros = static_cast<std::size_t>(degree);
-    Word word(zeros, zero_interval);
-    word.insert(word.end(), domain.begin(), domain.end());
-    word.insert(word.end(), zeros, zero_interval);
-    return word;
-}
-
-Word repeated(WordView word, std::size_t count) {
-    if (word.empty()) throw std::invalid_argument("an empty word cannot be repeated");
-    Word result(count);
-    for (std::size_t i = 0; i < count; ++i) result[i] = word[i % word.size()];
-    return result;
 }
 
 } // namespace internode

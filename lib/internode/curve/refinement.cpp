@@ -13,8 +13,8 @@ namespace internode {
 namespace {
 
 /// What one point, with its letter and its state, occupies.
-std::uint64_t bytes_per_point(const Curve& curve) {
-    return curve.dimension() * sizeof(double) + sizeof(Symbol) + sizeof(std::uint32_t);
+std::uint64_t bytes_per_point(std::size_t dimension) {
+    return dimension * sizeof(double) + sizeof(Symbol) + sizeof(std::uint32_t);
 }
 
 void append(Word& word, WordView letters) {
@@ -30,12 +30,12 @@ std::size_t cells_after(const StencilAutomaton& automaton, const std::vector<std
 
 } // namespace
 
-RefinementSize refined_size(const Curve& curve, std::uint64_t steps, std::uint64_t cap) {
+RefinementSize refined_size(const Knots& knots, std::size_t dimension, std::uint64_t steps, std::uint64_t cap) {
     // An open curve has d points more than its domain has letters.
-    const std::uint64_t extra = curve.ends() == Ends::Open ? static_cast<std::uint64_t>(curve.degree()) : 0;
+    const std::uint64_t extra = knots.ends() == Ends::Open ? static_cast<std::uint64_t>(knots.degree()) : 0;
     const std::uint64_t room = std::min(cap, std::uint64_t{1} << 61) - std::min(cap, extra);
     const auto points_after = [&](std::uint64_t count) {
-        return letter_counts(curve.system().rules(), curve.domain(), count, room);
+        return letter_counts(knots.system().rules(), knots.domain(), count, room);
     };
     const LetterCounts last = points_after(steps);
     RefinementSize size;
@@ -43,10 +43,14 @@ RefinementSize refined_size(const Curve& curve, std::uint64_t steps, std::uint64
     size.exceeded = last.saturated || size.points > cap;
     if (size.exceeded) size.points = std::max(size.points, cap + 1);
     const std::uint64_t before = steps == 0 ? 0 : points_after(steps - 1).total + extra;
-    const std::uint64_t each = bytes_per_point(curve);
+    const std::uint64_t each = bytes_per_point(dimension);
     const std::uint64_t most = ~std::uint64_t{0} / each;
     size.bytes = size.points + before > most ? ~std::uint64_t{0} : (size.points + before) * each;
     return size;
+}
+
+RefinementSize refined_size(const Curve& curve, std::uint64_t steps, std::uint64_t cap) {
+    return refined_size(curve.knots(), curve.dimension(), steps, cap);
 }
 
 Word refined_word(const Morphism& rules, WordView word, int degree, Ends ends) {
@@ -63,6 +67,20 @@ Word refined_word(const Morphism& rules, WordView word, int degree, Ends ends) {
     append(result, domain);
     append(result, WordView(after).first(d));
     return result;
+}
+
+Word refined_word(const Knots& knots) {
+    return refined_word(knots.system().rules(), knots.word(), knots.degree(), knots.ends());
+}
+
+Knots refined_knots(const Knots& knots, int steps) {
+    if (steps < 0) throw std::invalid_argument("a negative number of steps");
+    Knots fine = knots;
+    for (int step = 0; step < steps; ++step) {
+        fine.word_ = refined_word(fine);
+        ++fine.step_;
+    }
+    return fine;
 }
 
 Refinement::Refinement(Curve curve, std::size_t state_limit)
@@ -94,8 +112,7 @@ void Refinement::step() {
     assert(next == count);
     curve_.points_ = std::move(points);
     states_ = std::move(states);
-    curve_.word_ = refined_word(curve_.system_.rules(), curve_.word_, curve_.degree_, curve_.ends_);
-    ++curve_.step_;
+    curve_.knots_ = refined_knots(curve_.knots_, 1);
 }
 
 Curve refine(const Curve& curve, int steps) {

@@ -26,6 +26,9 @@ struct RefinementSize {
 
 /// The number of points after `steps` steps, without refining. Stops counting beyond `cap` points.
 [[nodiscard]] RefinementSize refined_size(const Curve& curve, std::uint64_t steps, std::uint64_t cap);
+/// The same for points of `dimension` coordinates over these knots.
+[[nodiscard]] RefinementSize refined_size(const Knots& knots, std::size_t dimension, std::uint64_t steps,
+                                          std::uint64_t cap);
 
 /// A curve with the states of its cells, one step at a time.
 class Refinement {
@@ -50,5 +53,9 @@ private:
 
 /// The word after one step, cut as above.
 [[nodiscard]] Word refined_word(const Morphism& rules, WordView word, int degree, Ends ends);
+[[nodiscard]] Word refined_word(const Knots& knots);
+
+/// The knots after `steps` >= 0 steps. \throw std::invalid_argument for fewer
+[[nodiscard]] Knots refined_knots(const Knots& knots, int steps);
 
 } // namespace internode
