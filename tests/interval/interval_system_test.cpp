@@ -46,6 +46,44 @@ TEST(IntervalSystem, BisectionKeepsLengthsAndField) {
                 ElementsAre(system.ratio(), Number(7)));
 }
 
+TEST(IntervalSystem, APowerKeepsLengthsAndFieldAndSatisfiesItsOwnEquation) {
+    for (const IntervalGrammar& grammar : {fibonacci, slow_growth(3), make_grammar({{"A", "A B"}, {"B", "B B B"}}),
+                                           with_length(make_grammar({{"A", "A A"}, {"B", "B B"}}), "B", 5)}) {
+        const IntervalSystem system = system_of(grammar);
+        for (int steps = 1; steps <= 6; ++steps) {
+            const IntervalSystem several = power(system, steps);
+            EXPECT_EQ(several.lengths(), system.lengths());
+            EXPECT_EQ(several.field(), system.field());
+            EXPECT_EQ(several.ratio(), pow(system.ratio(), steps));
+            for (std::size_t i = 0; i < several.lengths().size(); ++i) {
+                Number sum;
+                for (const Symbol letter : several.rules().image(to_symbol(i))) sum += several.length(letter);
+                EXPECT_EQ(several.ratio() * several.lengths()[i], sum);
+            }
+        }
+    }
+}
+
+TEST(IntervalSystem, APowerHasThePeriodAndTheNameOfItsSteps) {
+    const IntervalSystem slow = system_of(slow_growth(6));
+    ASSERT_EQ(slow.period(), 6U);
+    for (const int steps : {1, 2, 3, 4, 5, 6}) {
+        const IntervalSystem several = power(slow, steps);
+        EXPECT_EQ(several.period(), system_of(several.grammar()).period()) << steps;
+    }
+    IntervalGrammar named = fibonacci;
+    named.name = "fibonacci";
+    EXPECT_EQ(power(system_of(named), 1).grammar().name, "fibonacci");
+    EXPECT_EQ(power(system_of(named), 3).grammar().name, "fibonacci^3");
+}
+
+TEST(IntervalSystem, APowerIsAtLeastOneAndWithinTheLimit) {
+    const IntervalSystem system = system_of(fibonacci);
+    EXPECT_THROW((void)power(system, 0), std::invalid_argument);
+    EXPECT_THROW((void)power(system, 60), std::length_error);
+    EXPECT_THROW((void)power(system, 2'000'000'000), std::length_error);
+}
+
 TEST(IntervalSystem, AGivenLengthScalesTheOthers) {
     const IntervalSystem system = system_of(fibonacci);
     const FixedLengths fixed = with_lengths(system, {{Symbol{1}, Number(Rational(1, 2))}});

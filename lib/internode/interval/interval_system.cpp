@@ -6,6 +6,8 @@
 #include "internode/interval/system_maker.h"
 
 #include <algorithm>
+#include <numeric>
+#include <stdexcept>
 
 namespace internode {
 
@@ -55,6 +57,21 @@ IntervalSystem bisection(const IntervalSystem& system) {
     for (std::size_t i = 0; i < grammar.alphabet.size(); ++i) images.push_back({to_symbol(i), to_symbol(i)});
     grammar.rules = Morphism(std::move(images));
     return SystemMaker::make(std::move(grammar), system.field(), Number(2), system.lengths(), 1);
+}
+
+IntervalSystem power(const IntervalSystem& system, int steps) {
+    if (steps < 1) throw std::invalid_argument("the power of a system must be at least 1");
+    IntervalGrammar grammar = system.grammar();
+    Word alphabet;
+    for (std::size_t i = 0; i < grammar.alphabet.size(); ++i) alphabet.push_back(to_symbol(i));
+    if (letter_counts(grammar.rules, alphabet, static_cast<std::uint64_t>(steps), max_power_letters).saturated)
+        throw std::length_error("the rules of " + std::to_string(steps) + " steps at once have more than " +
+                                std::to_string(max_power_letters) + " letters");
+    grammar.rules = power(grammar.rules, steps);
+    if (!grammar.name.empty() && steps > 1) grammar.name += "^" + std::to_string(steps);
+    // A class of period p falls into gcd(p, k) classes of period p / gcd(p, k).
+    const std::size_t period = system.period() / std::gcd(system.period(), static_cast<std::size_t>(steps));
+    return SystemMaker::make(std::move(grammar), system.field(), pow(system.ratio(), steps), system.lengths(), period);
 }
 
 FixedLengths with_lengths(const IntervalSystem& system, const std::vector<FixedLength>& lengths) {

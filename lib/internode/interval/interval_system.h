@@ -11,6 +11,7 @@
 #include "internode/algebra/number.h"
 #include "internode/grammar/interval_grammar.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -55,6 +56,15 @@ private:
 /// Uniform bisection of the same intervals: same alphabet and lengths, every rule A_i -> A_i A_i, ratio 2
 /// (Sederberg's scheme, S4 3.3.2; every length is free, so lengths in K are allowed).
 [[nodiscard]] IntervalSystem bisection(const IntervalSystem& system);
+
+/// What the rules of a power may hold together: 2^24 letters.
+inline constexpr std::uint64_t max_power_letters = std::uint64_t{1} << 24;
+
+/// `steps` steps at once: the rules σ^steps over the same lengths and in the same field, ratio ρ^steps (M a = ρ a gives
+/// M^k a = ρ^k a). Its automaton is the composition of `steps` automata, exactly: a row is determined by its window and
+/// child, so products of rows could give nothing else (docs/mathematics.md). A name gets `^steps`.
+/// \throw std::invalid_argument for fewer than one step, std::length_error beyond max_power_letters
+[[nodiscard]] IntervalSystem power(const IntervalSystem& system, int steps);
 
 /// A length said from outside, > 0: rational, or in K (a refined curve's lengths are a_i / ρ^s).
 struct FixedLength {

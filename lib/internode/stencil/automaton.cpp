@@ -89,6 +89,20 @@ private:
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> rows_; ///< by hash of the doubles
 };
 
+StencilAutomaton::Support StencilAutomaton::support(std::uint32_t row) const {
+    const std::span<const Number> weights = exact_weights(row);
+    Support support{0, weights.size() - 1};
+    while (support.first < support.last && weights[support.first].sign() == 0) ++support.first;
+    while (support.last > support.first && weights[support.last].sign() == 0) --support.last;
+    return support;
+}
+
+Number StencilAutomaton::row_sum(std::uint32_t row) const {
+    Number sum;
+    for (const Number& weight : exact_weights(row)) sum += weight;
+    return sum;
+}
+
 std::uint32_t StencilAutomaton::find(const CellState& state) const {
     const auto same_window = index_.find(state.window);
     if (same_window != index_.end())

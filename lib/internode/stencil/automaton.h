@@ -66,6 +66,17 @@ public:
     [[nodiscard]] std::span<const Number> exact_weights(std::uint32_t row) const {
         return {exact_.data() + row * width(), width()};
     }
+    /// How many different windows the states have.
+    [[nodiscard]] std::size_t window_count() const { return index_.size(); }
+    /// The part of a row between its outer zeros: weights first … last are enough, 0 <= first <= last <= d. Parent i of
+    /// the row is the one at cell + offset(state) + i.
+    struct Support {
+        std::size_t first;
+        std::size_t last;
+    };
+    [[nodiscard]] Support support(std::uint32_t row) const;
+    /// The exact sum of a row: 1, by affine invariance.
+    [[nodiscard]] Number row_sum(std::uint32_t row) const;
     /// The state of that window and lead. \throw std::out_of_range when the automaton does not have it
     [[nodiscard]] std::uint32_t find(const CellState& state) const;
 
