@@ -52,7 +52,7 @@ std::optional<SymbolUse> LengthReader::read(const Statement& statement) {
 
 std::optional<Rational> LengthReader::read_number(std::span<const Token> tokens) {
     const std::string number = number_text(tokens, text_);
-    const std::optional<Rational> length = parse_rational(number);
+    std::optional<Rational> length = parse_rational(number);
     // `9e400` may have more digits written out than may be read again.
     if (!length || !parse_rational(to_string(*length))) {
         complaints_.add(

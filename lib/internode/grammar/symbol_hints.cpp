@@ -42,7 +42,7 @@ std::string SymbolHints::in_word(std::string_view name) {
 }
 
 std::string SymbolHints::in_grammar(std::string_view name) {
-    const std::string hint = in_word(name);
+    std::string hint = in_word(name);
     if (hint.starts_with('`')) return hint;
     if (hint.empty()) return fmt::format("write `{0} -> {0}` if it should stay whole", name);
     return fmt::format("{0} Or write `{1} -> {1}` if it should stay whole", hint, name);

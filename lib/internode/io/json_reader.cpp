@@ -19,11 +19,13 @@ namespace {
 /// Reads bytes and says how many were taken, also when copied into the parser.
 class CountingIterator {
 public:
+    // The names that std::iterator_traits looks for. NOLINTBEGIN(readability-identifier-naming)
     using iterator_category = std::input_iterator_tag;
     using value_type = char;
     using difference_type = std::ptrdiff_t;
     using pointer = const char*;
     using reference = const char&;
+    // NOLINTEND(readability-identifier-naming)
 
     CountingIterator(const char* position, std::size_t* taken)
         : position_(position)

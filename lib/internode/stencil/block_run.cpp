@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/stencil/block_run.h"
+
+#include <algorithm>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+#include <type_traits>
+
+namespace internode {
+namespace {
+
+/// Outputs above this leave the caches before anyone reads them again: they go past the caches.
+constexpr std::size_t streamed_bytes = std::size_t{1} << 26;
+/// Cells that are handed to the kernel at once: their descriptions stay in the first cache.
+constexpr std::size_t batch = 128;
+
+/// The weights as the kernel wants them; floats are rounded once more.
+template <typename Scalar>
+std::vector<Scalar> converted(const std::vector<double>& weights) {
+    std::vector<Scalar> result(weights.size());
+    std::ranges::transform(weights, result.begin(), [](double weight) { return static_cast<Scalar>(weight); });
+    return result;
+}
+
+struct Task {
+    std::size_t first_cell;
+    std::size_t last_cell;
+    std::size_t first_point; ///< of the output
+};
+
+/// Runs of cells that write about `grain` points each.
+template <typename State>
+std::vector<Task> tasks_of(const FusedStencils& stencils, const State* states, std::size_t cells, std::size_t grain) {
+    std::vector<Task> tasks;
+    std::size_t point = 0;
+    Task task{0, 0, 0};
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+        point += stencils.rows(states[cell]);
+        if (point - task.first_point < grain && cell + 1 < cells) continue;
+        task.last_cell = cell + 1;
+        tasks.push_back(task);
+        task = {cell + 1, 0, point};
+    }
+    return tasks;
+}
+
+template <typename Scalar, typename State>
+class BlockRun {
+public:
+    BlockRun(const FusedStencils& stencils, const State* states, std::size_t cells, Rows<Scalar> parents)
+        : stencils_(stencils)
+        , states_(states)
+        , cells_(cells)
+        , parents_(parents) {
+        if constexpr (!std::is_same_v<Scalar, double>) own_weights_ = converted<Scalar>(stencils.weights);
+        copy_ends();
+    }
+
+    void run(Scalar* out, const ApplyOptions& options) const {
+        const std::size_t dimension = parents_.dimension;
+        const std::size_t grain = std::max<std::size_t>(1, options.grain / dimension);
+        const std::vector<Task> tasks = tasks_of(stencils_, states_, cells_, grain);
+        std::size_t points = 0;
+        for (const State* state = states_ + tasks.back().first_cell; state != states_ + cells_; ++state)
+            points += stencils_.rows(*state);
+        points += tasks.back().first_point;
+        const Store store =
+            points * dimension * sizeof(Scalar) > streamed_bytes ? Store::Streamed : Store::Cached;
+        const Kernel<Scalar> kernel = internode::kernel<Scalar>(options.isa, stencils_.width, dimension);
+        const auto run_task = [&](std::size_t task) {
+            run_cells(tasks[task], kernel, out + tasks[task].first_point * dimension, store);
+        };
+        if (options.threads == 1 || tasks.size() == 1) {
+            for (std::size_t task = 0; task < tasks.size(); ++task) run_task(task);
+            return;
+        }
+        tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic : options.threads);
+        arena.execute([&] { tbb::parallel_for(std::size_t{0}, tasks.size(), run_task); });
+    }
+
+private:
+    void run_cells(const Task& task, Kernel<Scalar> kernel, Scalar* out, Store store) const {
+        CellWork<Scalar> work[batch];
+        for (std::size_t first = task.first_cell; first < task.last_cell; first += batch) {
+            const std::size_t count = std::min(batch, task.last_cell - first);
+            std::size_t points = 0;
+            for (std::size_t i = 0; i < count; ++i) {
+                work[i] = describe(first + i);
+                points += work[i].rows;
+            }
+            kernel(work, count, parents_.dimension, out, store);
+            out += points * parents_.dimension;
+        }
+    }
+
+    [[nodiscard]] CellWork<Scalar> describe(std::size_t cell) const {
+        const State state = states_[cell];
+        const std::size_t row = stencils_.first_row[state];
+        const Scalar* weights = nullptr;
+        if constexpr (std::is_same_v<Scalar, double>)
+            weights = stencils_.weights.data();
+        else
+            weights = own_weights_.data();
+        return {parents_of(cell, state), weights + row * stencils_.width, stencils_.rows(state)};
+    }
+
+    [[nodiscard]] const Scalar* parents_of(std::size_t cell, State state) const {
+        if (cell < left_) return ends_.data() + cell * end_stride();
+        if (cell >= right_) return ends_.data() + (left_ + cell - right_) * end_stride();
+        return parents_.first + (static_cast<std::ptrdiff_t>(cell) + stencils_.offset[state]) *
+                                    static_cast<std::ptrdiff_t>(parents_.dimension);
+    }
+
+    /// Coordinates of the copied parents of one cell, with what a vector may read behind the last.
+    [[nodiscard]] std::size_t end_stride() const {
+        return stencils_.width * parents_.dimension + padding_bytes / sizeof(Scalar);
+    }
+
+    /// The first d cells and the last d+1: a row of the others has a whole point behind it.
+    void copy_ends() {
+        left_ = std::min(cells_, stencils_.width - 1);
+        right_ = std::max(left_, cells_ - std::min(cells_, stencils_.width));
+        ends_.resize((left_ + cells_ - right_) * end_stride());
+        for (std::size_t cell = 0; cell < left_; ++cell) copy_parents(cell, ends_.data() + cell * end_stride());
+        for (std::size_t cell = right_; cell < cells_; ++cell)
+            copy_parents(cell, ends_.data() + (left_ + cell - right_) * end_stride());
+    }
+
+    void copy_parents(std::size_t cell, Scalar* to) const {
+        const auto n = static_cast<std::ptrdiff_t>(cells_);
+        const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(cell) + stencils_.offset[states_[cell]];
+        for (std::size_t k = 0; k < stencils_.width; ++k) {
+            const std::ptrdiff_t parent = ((first + static_cast<std::ptrdiff_t>(k)) % n + n) % n;
+            std::copy_n(parents_.first + static_cast<std::size_t>(parent) * parents_.dimension, parents_.dimension,
+                        to + k * parents_.dimension);
+        }
+    }
+
+    const FusedStencils& stencils_;
+    const State* states_;
+    std::size_t cells_;
+    Rows<Scalar> parents_;
+    std::vector<Scalar> own_weights_; ///< when not double
+    std::size_t left_ = 0;            ///< cells before this read copies
+    std::size_t right_ = 0;           ///< and from this on
+    std::vector<Scalar> ends_;
+};
+
+} // namespace
+
+template <typename Scalar>
+void run_block(const FusedStencils& stencils, const CellArray& cells, Rows<Scalar> parents, Scalar* out,
+               const ApplyOptions& options) {
+    cells.visit([&](const auto* states) {
+        using State = std::remove_const_t<std::remove_pointer_t<decltype(states)>>;
+        BlockRun<Scalar, State>(stencils, states, cells.size(), parents).run(out, options);
+    });
+}
+
+template void run_block(const FusedStencils& stencils, const CellArray& cells, Rows<double> parents, double* out,
+                        const ApplyOptions& options);
+template void run_block(const FusedStencils& stencils, const CellArray& cells, Rows<float> parents, float* out,
+                        const ApplyOptions& options);
+
+} // namespace internode

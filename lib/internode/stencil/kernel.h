@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// The numeric kernel: points of any dimension, gathered from d+1 consecutive parents.
+//
+//     out_r[c] = ((w_r0 p_0[c] + w_r1 p_1[c]) + w_r2 p_2[c]) + …      all d+1 products, in this order
+//
+// One source (kernel_loops.h), compiled once for every machine and once with AVX2 but without FMA. Every lane does the
+// same IEEE operations in the same order, so the bytes do not depend on which one runs (docs/promises.md, P10).
+
+#pragma once
+
+#include <cstddef>
+
+namespace internode {
+
+/// Which instructions the kernels may use; the results are the same.
+enum class Isa {
+    Best,  ///< the widest that this machine has
+    Plain, ///< what every machine of this architecture has
+    Avx2   ///< AVX2, or plain where the machine has none
+};
+
+/// Best resolved: Plain or Avx2.
+[[nodiscard]] Isa usable(Isa isa);
+
+/// The rows of one cell: `rows` new points from the d+1 parents that start at `parents`.
+template <typename Scalar>
+struct CellWork {
+    const Scalar* parents;
+    const Scalar* weights; ///< width a row
+    std::size_t rows;
+};
+
+/// Where points go: to memory that will be read soon, or past the caches.
+enum class Store { Cached, Streamed };
+
+/// Writes the new points of `count` cells one after the other, rows of `dimension` coordinates. With a dimension up to
+/// 4, each parent may be read up to 32 bytes from its start: padding_bytes behind the last point are the caller's.
+template <typename Scalar>
+using Kernel = void (*)(const CellWork<Scalar>* cells, std::size_t count, std::size_t dimension, Scalar* out,
+                        Store store);
+
+/// Bytes behind the last parent that must be readable.
+inline constexpr std::size_t padding_bytes = 32;
+
+/// The kernel of rows of `width` >= 2 weights.
+template <typename Scalar>
+[[nodiscard]] Kernel<Scalar> kernel(Isa isa, std::size_t width, std::size_t dimension);
+
+} // namespace internode

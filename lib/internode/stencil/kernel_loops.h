@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+//
+// The loops of the kernel, included by one source per instruction set, which defines INTERNODE_VECTOR_BYTES.
+//
+// Everything here is in an unnamed namespace and uses nothing of the standard library that the linker could share with
+// code compiled for another instruction set. A point of 2 to 4 coordinates is one short vector: its store may spill
+// over into the next point, which is written after it. What goes past the caches is gathered on a small stage first and
+// leaves it in whole cache lines.
+
+#include "internode/stencil/kernel.h"
+
+#include <cstdint>
+#include <cstring>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace internode {
+namespace {
+
+template <typename Scalar, int Bytes>
+struct VectorOf {
+    typedef Scalar type __attribute__((vector_size(Bytes))); // NOLINT(modernize-use-using): no attribute there
+};
+
+/// The vectors that hold one point of `Dimension` coordinates: as few as the machine allows.
+template <typename Scalar, int Dimension>
+struct PointVectors {
+    static constexpr int size = Dimension * static_cast<int>(sizeof(Scalar));
+    static constexpr int whole = size <= 8 ? 8 : size <= 16 ? 16 : 32;
+    static constexpr int bytes = whole < INTERNODE_VECTOR_BYTES ? whole : INTERNODE_VECTOR_BYTES;
+    static constexpr int lanes = bytes / static_cast<int>(sizeof(Scalar));
+    static constexpr int count = (size + bytes - 1) / bytes;
+    using Vector = typename VectorOf<Scalar, bytes>::type;
+};
+
+template <typename Vector, typename Scalar>
+inline Vector load(const Scalar* from) {
+    Vector vector;
+    std::memcpy(&vector, from, sizeof vector);
+    return vector;
+}
+
+template <typename Vector, typename Scalar>
+inline void store(const Vector& vector, Scalar* to) {
+    std::memcpy(to, &vector, sizeof vector);
+}
+
+/// `rows` points from the same parents, which stay in registers.
+template <typename Scalar, int Width, int Dimension>
+inline void combine(const Scalar* parents, const Scalar* weights, std::size_t rows, Scalar* out) {
+    using Point = PointVectors<Scalar, Dimension>;
+    using Vector = typename Point::Vector;
+    Vector parent[Width][Point::count];
+    for (int k = 0; k < Width; ++k)
+        for (int piece = 0; piece < Point::count; ++piece)
+            parent[k][piece] = load<Vector>(parents + k * Dimension + piece * Point::lanes);
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (int piece = 0; piece < Point::count; ++piece) {
+            Vector sum = weights[0] * parent[0][piece];
+            for (int k = 1; k < Width; ++k) sum = sum + weights[k] * parent[k][piece];
+            store(sum, out + piece * Point::lanes);
+        }
+        weights += Width;
+        out += Dimension;
+    }
+}
+
+// A stage that stays in the first cache beside the table, and the spill of its last point.
+constexpr std::size_t stage_bytes = 4096;
+constexpr std::size_t line = 64;
+
+inline void copy_streamed(const char* from, std::size_t bytes, char* to) {
+#if defined(__SSE2__)
+    for (std::size_t i = 0; i < bytes; i += sizeof(__m128i)) {
+        __m128i vector;
+        std::memcpy(&vector, from + i, sizeof vector);
+        _mm_stream_si128(reinterpret_cast<__m128i*>(to + i), vector);
+    }
+#else
+    std::memcpy(to, from, bytes);
+#endif
+}
+
+/// Streamed bytes are seen by other threads only after this.
+inline void fence(Store store) {
+#if defined(__SSE2__)
+    if (store == Store::Streamed) _mm_sfence();
+#else
+    (void)store;
+#endif
+}
+
+/// Points on their way to `out`: whole cache lines leave the stage past the caches.
+template <typename Scalar>
+class Stage {
+public:
+    explicit Stage(Scalar* out)
+        : out_(reinterpret_cast<char*>(out)) {}
+
+    /// Room for at least one more point of `point_bytes`; flushes when there is none.
+    inline std::size_t room(std::size_t point_bytes) {
+        if (fill_ + point_bytes > stage_bytes) flush();
+        return (stage_bytes - fill_) / point_bytes;
+    }
+    inline Scalar* next() { return reinterpret_cast<Scalar*>(memory_ + fill_); }
+    inline void advance(std::size_t bytes) { fill_ += bytes; }
+
+    /// All that is left.
+    inline void finish() {
+        flush();
+        std::memcpy(out_, memory_, fill_);
+        fence(Store::Streamed);
+    }
+
+private:
+    inline void flush() {
+        const std::size_t before_line = (line - reinterpret_cast<std::uintptr_t>(out_) % line) % line;
+        if (before_line > fill_) return;
+        const std::size_t taken = before_line + (fill_ - before_line) / line * line;
+        std::memcpy(out_, memory_, before_line);
+        copy_streamed(memory_ + before_line, taken - before_line, out_ + before_line);
+        out_ += taken;
+        fill_ -= taken;
+        std::memmove(memory_, memory_ + taken, fill_);
+    }
+
+    char* out_;
+    std::size_t fill_ = 0;
+    alignas(line) char memory_[stage_bytes + line];
+};
+
+template <typename Scalar, int Width, int Dimension>
+void refine_streamed(const CellWork<Scalar>* cells, std::size_t count, Scalar* out) {
+    constexpr std::size_t point_bytes = sizeof(Scalar) * Dimension;
+    Stage<Scalar> stage(out);
+    for (const CellWork<Scalar>* cell = cells; cell != cells + count; ++cell) {
+        const Scalar* weights = cell->weights;
+        std::size_t left = cell->rows;
+        while (left > 0) {
+            const std::size_t room = stage.room(point_bytes);
+            const std::size_t rows = left < room ? left : room;
+            combine<Scalar, Width, Dimension>(cell->parents, weights, rows, stage.next());
+            stage.advance(rows * point_bytes);
+            weights += rows * Width;
+            left -= rows;
+        }
+    }
+    stage.finish();
+}
+
+/// Straight to their place; the last point, which has nobody after it to write over its spill, by way of the stack.
+template <typename Scalar, int Width, int Dimension>
+void refine_cached(const CellWork<Scalar>* cells, std::size_t count, Scalar* out) {
+    const CellWork<Scalar>* const last = cells + count - 1;
+    for (const CellWork<Scalar>* cell = cells; cell != last; ++cell) {
+        combine<Scalar, Width, Dimension>(cell->parents, cell->weights, cell->rows, out);
+        out += cell->rows * Dimension;
+    }
+    combine<Scalar, Width, Dimension>(last->parents, last->weights, last->rows - 1, out);
+    out += (last->rows - 1) * Dimension;
+    Scalar point[Dimension + padding_bytes / sizeof(Scalar)];
+    combine<Scalar, Width, Dimension>(last->parents, last->weights + (last->rows - 1) * Width, 1, point);
+    std::memcpy(out, point, sizeof(Scalar) * Dimension);
+}
+
+template <typename Scalar, int Width, int Dimension>
+void refine_small(const CellWork<Scalar>* cells, std::size_t count, std::size_t, Scalar* out, Store store) {
+    if (store == Store::Streamed)
+        refine_streamed<Scalar, Width, Dimension>(cells, count, out);
+    else
+        refine_cached<Scalar, Width, Dimension>(cells, count, out);
+}
+
+// Columns of one pass over wide points: width parents of so many bytes stay in the first cache.
+constexpr std::size_t column_bytes = 4096;
+
+template <typename Scalar>
+inline Scalar column_sum(const Scalar* parents, const Scalar* weights, std::size_t width, std::size_t dimension) {
+    Scalar sum = weights[0] * parents[0];
+    for (std::size_t k = 1; k < width; ++k) sum = sum + weights[k] * parents[k * dimension];
+    return sum;
+}
+
+/// `columns` coordinates of one new point, Width 0 for any width.
+template <typename Scalar, int Width>
+inline void combine_columns(const Scalar* parents, const Scalar* weights, std::size_t any_width, std::size_t dimension,
+                            std::size_t columns, Scalar* out, Store store) {
+    using Vector = typename VectorOf<Scalar, INTERNODE_VECTOR_BYTES>::type;
+    constexpr std::size_t lanes = INTERNODE_VECTOR_BYTES / sizeof(Scalar);
+    const std::size_t width = Width == 0 ? any_width : static_cast<std::size_t>(Width);
+    std::size_t column = 0;
+    while (column < columns && reinterpret_cast<std::uintptr_t>(out + column) % INTERNODE_VECTOR_BYTES != 0) {
+        out[column] = column_sum(parents + column, weights, width, dimension);
+        ++column;
+    }
+    for (; column + lanes <= columns; column += lanes) {
+        Vector sum = weights[0] * load<Vector>(parents + column);
+        for (std::size_t k = 1; k < width; ++k)
+            sum = sum + weights[k] * load<Vector>(parents + k * dimension + column);
+        if (store == Store::Streamed)
+            copy_streamed(reinterpret_cast<const char*>(&sum), sizeof sum, reinterpret_cast<char*>(out + column));
+        else
+            internode::store(sum, out + column);
+    }
+    for (; column < columns; ++column) out[column] = column_sum(parents + column, weights, width, dimension);
+}
+
+/// Points of any dimension, whole rows of a grid among them, in blocks of columns.
+template <typename Scalar, int Width>
+void refine_wide(const CellWork<Scalar>* cells, std::size_t count, std::size_t dimension, Scalar* out, Store store,
+                 std::size_t width) {
+    constexpr std::size_t block = column_bytes / sizeof(Scalar);
+    for (const CellWork<Scalar>* cell = cells; cell != cells + count; ++cell) {
+        for (std::size_t first = 0; first < dimension; first += block) {
+            const std::size_t columns = dimension - first < block ? dimension - first : block;
+            for (std::size_t row = 0; row < cell->rows; ++row)
+                combine_columns<Scalar, Width>(cell->parents + first, cell->weights + row * width, width, dimension,
+                                               columns, out + row * dimension + first, store);
+        }
+        out += cell->rows * dimension;
+    }
+    fence(store);
+}
+
+template <typename Scalar, int Width>
+void refine_any(const CellWork<Scalar>* cells, std::size_t count, std::size_t dimension, Scalar* out, Store store) {
+    refine_wide<Scalar, Width>(cells, count, dimension, out, store, Width);
+}
+
+template <typename Scalar, int Width>
+Kernel<Scalar> of_dimension(std::size_t dimension) {
+    switch (dimension) {
+    case 2:
+        return refine_small<Scalar, Width, 2>;
+    case 3:
+        return refine_small<Scalar, Width, 3>;
+    case 4:
+        return refine_small<Scalar, Width, 4>;
+    default:
+        return refine_any<Scalar, Width>;
+    }
+}
+
+template <typename Scalar>
+Kernel<Scalar> of_width(std::size_t width, std::size_t dimension) {
+    switch (width) {
+    case 2:
+        return of_dimension<Scalar, 2>(dimension);
+    case 3:
+        return of_dimension<Scalar, 3>(dimension);
+    case 4:
+        return of_dimension<Scalar, 4>(dimension);
+    case 5:
+        return of_dimension<Scalar, 5>(dimension);
+    case 6:
+        return of_dimension<Scalar, 6>(dimension);
+    case 7:
+        return of_dimension<Scalar, 7>(dimension);
+    case 8:
+        return of_dimension<Scalar, 8>(dimension);
+    case 9:
+        return refine_any<Scalar, 9>;
+    case 10:
+        return refine_any<Scalar, 10>;
+    case 11:
+        return refine_any<Scalar, 11>;
+    case 12:
+        return refine_any<Scalar, 12>;
+    case 13:
+        return refine_any<Scalar, 13>;
+    default:
+        return nullptr;
+    }
+}
+
+} // namespace
+} // namespace internode

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+//
+// Everything about refining by `steps` steps that does not depend on the points: derived once, applied to any polygon.
+//
+// The steps are cut into blocks of fused steps (stencil/fused_stencils.h) whose tables fit a cache; each block reads the
+// points of the block before and writes its own once, so the memory beside input and output is the input of the last
+// block. Blocks depend on the word, the steps and the options, never on the machine: the bytes of the result are the
+// same for any number of threads, any partition of the work and any instruction set (docs/promises.md, P9 and P10).
+// Different blocks round differently, in the last bits.
+
+#pragma once
+
+#include "internode/stencil/fused_stencils.h"
+#include "internode/stencil/kernel.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace internode {
+
+struct PlanOptions {
+    std::size_t table_bytes = 24 * 1024; ///< of the weights of a block: beside a stage, in a first cache of 32 KiB
+    int most_fused_steps = 64;           ///< 1: step by step, with exact rows rounded once
+    std::size_t state_limit = max_states;
+};
+
+struct ApplyOptions {
+    int threads = 1;           ///< 0: as many as the machine has
+    Isa isa = Isa::Best;       ///< never changes the result
+    std::size_t grain = 65536; ///< coordinates that a task writes, about
+};
+
+class RefinementPlan {
+public:
+    /// Of a word that fits the degree (stencil/automaton.h, cell_states) and steps >= 0.
+    /// \throw std::invalid_argument, TooManyStates, std::length_error for more than 2^62 points
+    RefinementPlan(const IntervalSystem& system, int degree, WordView word, Ends ends, int steps,
+                   const PlanOptions& options = {});
+
+    [[nodiscard]] int steps() const { return static_cast<int>(sizes_.size()) - 1; }
+    /// Points after 0, 1, … steps().
+    [[nodiscard]] const std::vector<std::uint64_t>& sizes() const { return sizes_; }
+    [[nodiscard]] std::size_t input_size() const { return sizes_.front(); }
+    [[nodiscard]] std::size_t output_size() const { return sizes_.back(); }
+    /// How many steps each block does at once, first to last.
+    [[nodiscard]] std::vector<int> blocks() const;
+    [[nodiscard]] const StencilAutomaton& automaton() const { return *automaton_; }
+    /// Bytes that apply() needs beside input and output, for points of `dimension` coordinates of `scalar_bytes`.
+    [[nodiscard]] std::uint64_t work_bytes(std::size_t dimension, std::size_t scalar_bytes) const;
+
+    /// The refined points: `points` has input_size() rows of `dimension` coordinates, `out` output_size(). Scalar is
+    /// double or float. \throw std::invalid_argument for other sizes
+    template <typename Scalar>
+    void apply(std::span<const Scalar> points, std::size_t dimension, std::span<Scalar> out,
+               const ApplyOptions& options = {}) const;
+
+private:
+    struct Block {
+        int first_step = 0;
+        std::shared_ptr<const FusedStencils> stencils;
+    };
+
+    /// Derived, or that of a block already chosen; null when it would not be precise.
+    std::shared_ptr<const FusedStencils> table_of(const IntervalSystem& system, int steps);
+
+    std::shared_ptr<const StencilAutomaton> automaton_;
+    std::vector<std::uint32_t> cells_; ///< state of each cell of the word
+    std::vector<std::uint64_t> sizes_;
+    std::vector<Block> blocks_;
+};
+
+} // namespace internode
