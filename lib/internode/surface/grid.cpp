@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/surface/grid.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace internode {
+
+namespace {
+
+constexpr std::size_t listed = 5; // problems of a kind: enough to see a pattern
+
+/// Whether the coordinates are a point for each pair of knots.
+std::vector<std::string> size_problems(const GridData& data) {
+    if (data.dimension == 0) return {"a point needs at least one coordinate"};
+    if (data.rational && data.dimension == 1)
+        return {"a rational surface needs points with at least one coordinate and the weight, not 1 in all"};
+    const std::size_t points = data.points.size() / data.dimension;
+    if (data.points.size() % data.dimension != 0)
+        return {fmt::format("{} coordinates do not make whole points of {}", data.points.size(), data.dimension)};
+    const std::size_t rows = data.u.size();
+    const std::size_t columns = data.v.size();
+    // By division: the product of two sizes may be more than a number holds.
+    if (points % columns == 0 && points / columns == rows) return {};
+    return {fmt::format("knots for {} by {} control points need as many points, not {}", rows, columns, points)};
+}
+
+/// What is wrong with one coordinate, or nothing.
+std::string value_problem(const GridData& data, std::size_t column, double value) {
+    if (!std::isfinite(value)) return "every coordinate must be a finite number";
+    const bool is_weight = data.rational && column + 1 == data.dimension;
+    return is_weight && value <= 0 ? "every weight must be positive" : std::string();
+}
+
+std::vector<std::string> value_problems(const GridData& data) {
+    std::vector<std::string> problems;
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < data.points.size(); ++i) {
+        const std::size_t column = i % data.dimension;
+        const std::string problem = value_problem(data, column, data.points[i]);
+        if (problem.empty() || ++found > listed) continue;
+        const std::size_t point = i / data.dimension;
+        problems.push_back(fmt::format("row {}, column {}, coordinate {} is {}: {}", point / data.v.size() + 1,
+                                       point % data.v.size() + 1, column + 1, data.points[i], problem));
+    }
+    if (found > listed) problems.push_back(fmt::format("and {} more coordinates like these", found - listed));
+    return problems;
+}
+
+} // namespace
+
+Grid::Grid(GridData data)
+    : u_(std::move(data.u))
+    , v_(std::move(data.v))
+    , dimension_(data.dimension)
+    , rational_(data.rational)
+    , points_(std::move(data.points)) {}
+
+CheckedGrid make_grid(GridData data) {
+    CheckedGrid checked;
+    checked.problems = size_problems(data);
+    if (checked.problems.empty()) checked.problems = value_problems(data);
+    if (checked.problems.empty()) checked.grid = Grid(std::move(data));
+    return checked;
+}
+
+std::vector<double> projected_points(const Grid& grid) {
+    if (!grid.rational()) return grid.points();
+    const std::size_t dimension = grid.dimension();
+    std::vector<double> projected;
+    projected.reserve(grid.size() * grid.space_dimension());
+    for (std::size_t row = 0; row < grid.points().size(); row += dimension)
+        for (std::size_t c = 0; c + 1 < dimension; ++c)
+            projected.push_back(grid.points()[row + c] / grid.points()[row + dimension - 1]);
+    return projected;
+}
+
+} // namespace internode

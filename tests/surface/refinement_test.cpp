@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/surface/refinement.h"
+
+#include "tests/reference/random_grid.h"
+#include "tests/reference/small_grammars.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace internode {
+namespace {
+
+using reference::all_shapes;
+using reference::fibonacci;
+using reference::Random;
+using reference::random_grid;
+using reference::random_knots;
+using reference::separably_refined;
+using reference::Shape;
+
+#ifdef INTERNODE_SANITIZED
+constexpr std::size_t pair_stride = 997;
+#else
+constexpr std::size_t pair_stride = 17;
+#endif
+
+constexpr Symbol a{0};
+constexpr Symbol b{1};
+
+/// Every entry within 1e-13 of the expected one: fused steps round differently in the last bits.
+void expect_near(const std::vector<double>& actual, const std::vector<double>& expected) {
+    ASSERT_EQ(actual.size(), expected.size());
+    for (std::size_t i = 0; i < actual.size(); ++i) ASSERT_NEAR(actual[i], expected[i], 1e-13) << "coordinate " << i;
+}
+
+std::vector<IntervalSystem> small_systems() {
+    std::vector<IntervalSystem> systems;
+    for (const IntervalGrammar& grammar : reference::small_grammars(2, 3))
+        if (const Verdict verdict = validate(grammar); verdict.system) systems.push_back(*verdict.system);
+    return systems;
+}
+
+TEST(GridRefinement, IsSeparableForPairsOfAllSmallGrammars) {
+    const std::vector<IntervalSystem> systems = small_systems();
+    ASSERT_GT(systems.size(), 50u);
+    Random random(1);
+    std::size_t pairs = 0;
+    for (std::size_t pair = 0; pair < systems.size() * systems.size(); pair += pair_stride, ++pairs) {
+        const IntervalSystem& first = systems[pair / systems.size()];
+        const IntervalSystem& second = systems[pair % systems.size()];
+        const int degree_u = 1 + static_cast<int>(pairs % 4);
+        const int degree_v = 1 + static_cast<int>(pairs / 4 % 4);
+        const Shape shape_u = all_shapes[pairs / 16 % 6];
+        const Shape shape_v = all_shapes[random.below(6)];
+        const Grid grid = random_grid(random, random_knots(random, first, degree_u, shape_u, 1 + random.below(4)),
+                                      random_knots(random, second, degree_v, shape_v, 1 + random.below(4)),
+                                      1 + random.below(3), false);
+        expect_near(refine(grid, 2, 1).points(), separably_refined(grid, 2, 1));
+    }
+    EXPECT_GT(pairs, 10u);
+}
+
+TEST(GridRefinement, IsSeparableForAllMixesOfEndsAndDegrees) {
+    Random random(2);
+    for (int degree = 1; degree <= 4; ++degree)
+        for (const Shape u : all_shapes)
+            for (const Shape v : all_shapes) {
+                const Grid grid = random_grid(random, random_knots(random, fibonacci(), degree, u, 3),
+                                              random_knots(random, fibonacci(), 5 - degree, v, 2), 3, false);
+                const Grid fine = refine(grid, 1, 3);
+                expect_near(fine.points(), separably_refined(grid, 1, 3));
+                EXPECT_EQ(fine.u().word(), refined_knots(grid.u(), 1).word());
+                EXPECT_EQ(fine.v().word(), refined_knots(grid.v(), 3).word());
+                EXPECT_EQ(fine.size(), fine.u().size() * fine.v().size());
+                EXPECT_EQ(fine.u().step(), 1);
+                EXPECT_EQ(fine.v().step(), 3);
+            }
+}
+
+TEST(GridRefinement, StepsOneByOneAreStepsAtOnce) {
+    Random random(3);
+    const Grid grid = random_grid(random, random_knots(random, fibonacci(), 3, Shape::ClampedWithZeros, 3),
+                                  random_knots(random, fibonacci(), 2, Shape::Closed, 3), 3, true);
+    expect_near(refine(refine(refine(grid, 2, 0), 0, 3), 1, 1).points(), refine(grid, 3, 4).points());
+    EXPECT_EQ(refine(grid, 0, 0).points(), grid.points());
+}
+
+TEST(GridRefinement, KeepsWeightsPositiveAndTheRationalFlag) {
+    Random random(4);
+    for (const Shape shape : all_shapes) {
+        const Grid grid = random_grid(random, random_knots(random, fibonacci(), 2, shape, 3),
+                                      random_knots(random, fibonacci(), 3, Shape::Clamped, 2), 4, true);
+        const Grid fine = refine(grid, 2, 2);
+        EXPECT_TRUE(fine.rational());
+        for (std::size_t i = 3; i < fine.points().size(); i += 4) EXPECT_GT(fine.points()[i], 0);
+    }
+}
+
+TEST(GridRefinement, IsTheRefinementOfItsTranspose) {
+    Random random(5);
+    const Grid grid = random_grid(random, random_knots(random, fibonacci(), 3, Shape::Open, 2),
+                                  random_knots(random, fibonacci(), 2, Shape::Closed, 4), 2, false);
+    const auto transposed = [](const Grid& original) {
+        std::vector<double> points;
+        for (std::size_t j = 0; j < original.v().size(); ++j)
+            for (std::size_t i = 0; i < original.u().size(); ++i)
+                for (std::size_t c = 0; c < 2; ++c)
+                    points.push_back(original.points()[(i * original.v().size() + j) * 2 + c]);
+        return reference::grid_of({original.v(), original.u(), 2, false, points});
+    };
+    expect_near(refine(transposed(grid), 1, 2).points(), transposed(refine(grid, 2, 1)).points());
+}
+
+TEST(GridRefinement, PredictsItsSize) {
+    Random random(6);
+    for (const Shape u : all_shapes)
+        for (const Shape v : {Shape::Closed, Shape::Clamped}) {
+            const Grid grid = random_grid(random, random_knots(random, fibonacci(), 2, u, 2),
+                                          random_knots(random, fibonacci(), 3, v, 1), 1, false);
+            for (int step = 0; step < 5; ++step) {
+                const Grid fine = refine(grid, step, 4 - step);
+                const GridSize size = refined_size(grid, static_cast<std::uint64_t>(step),
+                                                   static_cast<std::uint64_t>(4 - step), 1'000'000);
+                EXPECT_FALSE(size.exceeded);
+                EXPECT_EQ(size.rows, fine.u().size());
+                EXPECT_EQ(size.columns, fine.v().size());
+                EXPECT_EQ(size.points, fine.size());
+            }
+        }
+}
+
+TEST(GridRefinement, RefusesToCountForEver) {
+    const Knots knots = make_knots(fibonacci(), {2, Ends::Circular, {a, b}}).knots.value();
+    const Grid grid = reference::grid_of({knots, knots, 1, false, {1, 2, 3, 4}});
+    EXPECT_TRUE(refined_size(grid, 1'000'000'000, 0, 100'000'000).exceeded);
+    EXPECT_TRUE(refined_size(grid, 0, 1'000'000'000, 100'000'000).exceeded);
+    // 2 by 2 points, then 3 by 3: each direction alone is within 8.
+    EXPECT_FALSE(refined_size(grid, 1, 1, 9).exceeded);
+    EXPECT_TRUE(refined_size(grid, 1, 1, 8).exceeded);
+    const std::uint64_t all = std::numeric_limits<std::uint64_t>::max();
+    const GridSize saturated = refined_size(grid, 88, 88, all);
+    EXPECT_EQ(saturated.points, all);
+    EXPECT_EQ(saturated.bytes, all);
+}
+
+TEST(GridRefinement, RefusesNegativeSteps) {
+    const Knots knots = make_knots(fibonacci(), {2, Ends::Circular, {a}}).knots.value();
+    const Grid grid = reference::grid_of({knots, knots, 1, false, {1}});
+    EXPECT_THROW((void)refine(grid, -1, 0), std::invalid_argument);
+    EXPECT_THROW((void)refine(grid, 0, -1), std::invalid_argument);
+}
+
+} // namespace
+} // namespace internode
