@@ -125,5 +125,21 @@ TEST(IntervalSystem, SharedSymbolsFollowTheScalesOfTheirFinalClasses) {
     EXPECT_THAT(fixed.system->lengths(), ElementsAre(Number(4), Number(3), Number(5))) << "3 P = P + B + C";
 }
 
+TEST(IntervalSystem, AOneSymbolRuleServesManyLengths) {
+    const IntervalSystem system = system_of(make_grammar({{"A", "A A A"}}));
+    const IntervalSystem many = one_symbol_a_length(system, {"A1", "A2"}, {Rational(1, 3), 5});
+    EXPECT_THAT(many.lengths(), ElementsAre(Number(Rational(1, 3)), Number(5)));
+    EXPECT_EQ(many.rules(), Morphism({Word(3, Symbol{0}), Word(3, Symbol{1})}));
+    EXPECT_EQ(many.ratio(), Number(3));
+    const Verdict verdict = validate(many.grammar());
+    ASSERT_TRUE(verdict.system);
+    EXPECT_EQ(verdict.system->lengths(), many.lengths());
+    EXPECT_THROW((void)one_symbol_a_length(many, {"A"}, {1}), std::invalid_argument);
+    EXPECT_THROW((void)one_symbol_a_length(system, {}, {}), std::invalid_argument);
+    EXPECT_THROW((void)one_symbol_a_length(system, {"A"}, {1, 2}), std::invalid_argument);
+    EXPECT_THROW((void)one_symbol_a_length(system, {"A", "A"}, {1, 2}), std::invalid_argument);
+    EXPECT_THROW((void)one_symbol_a_length(system, {"A"}, {0}), std::invalid_argument);
+}
+
 } // namespace
 } // namespace internode

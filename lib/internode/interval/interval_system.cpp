@@ -74,6 +74,26 @@ IntervalSystem power(const IntervalSystem& system, int steps) {
     return SystemMaker::make(std::move(grammar), system.field(), pow(system.ratio(), steps), system.lengths(), period);
 }
 
+IntervalSystem one_symbol_a_length(const IntervalSystem& system, const std::vector<std::string>& names,
+                                   const std::vector<Rational>& lengths) {
+    if (system.alphabet().size() != 1) throw std::invalid_argument("a grammar of one symbol is meant");
+    if (names.empty() || names.size() != lengths.size()) throw std::invalid_argument("a name and a length per symbol");
+    const std::size_t letters = system.rules().image(to_symbol(0)).size();
+    IntervalGrammar grammar;
+    grammar.name = system.grammar().name;
+    std::vector<Word> images;
+    std::vector<Number> numbers;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (grammar.alphabet.add(names[i]) != to_symbol(i)) throw std::invalid_argument("a name twice");
+        if (sgn(lengths[i]) <= 0) throw std::invalid_argument("a length must be positive");
+        images.emplace_back(letters, to_symbol(i));
+        grammar.lengths.push_back({to_symbol(i), lengths[i]});
+        numbers.emplace_back(lengths[i]);
+    }
+    grammar.rules = Morphism(std::move(images));
+    return SystemMaker::make(std::move(grammar), system.field(), system.ratio(), std::move(numbers), 1);
+}
+
 FixedLengths with_lengths(const IntervalSystem& system, const std::vector<FixedLength>& lengths) {
     const ClassGraph graph = class_graph(system.grammar());
     ScaledLengths scaled =

@@ -66,6 +66,13 @@ inline constexpr std::uint64_t max_power_letters = std::uint64_t{1} << 24;
 /// \throw std::invalid_argument for fewer than one step, std::length_error beyond max_power_letters
 [[nodiscard]] IntervalSystem power(const IntervalSystem& system, int steps);
 
+/// The rule of a one-symbol grammar, A -> A…A of k letters, for intervals of many lengths: symbol i has names[i] and
+/// lengths[i], and splits into k of itself. Each is a final class, so every length is free (S4 3.3.2). The grammar
+/// declares the lengths; an axiom does not survive. \throw std::invalid_argument unless the grammar has one symbol, and
+/// for no names, a name twice, as many lengths as names, a length that is not positive
+[[nodiscard]] IntervalSystem one_symbol_a_length(const IntervalSystem& system, const std::vector<std::string>& names,
+                                                 const std::vector<Rational>& lengths);
+
 /// A length said from outside, > 0: rational, or in K (a refined curve's lengths are a_i / ρ^s).
 struct FixedLength {
     Symbol symbol{};
