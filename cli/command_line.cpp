@@ -208,6 +208,8 @@ void Reader::add_curve_commands() {
     add_output(subdivide, subdivide_.output, {"csv", "json", "npy", "obj", "svg"});
     add_steps(subdivide, subdivide_.steps, "Steps of subdivision");
     subdivide->add_flag("--limit", subdivide_.limit, "The curve itself at the distinct knots, not the polygon");
+    subdivide->add_flag("--derivatives", subdivide_.derivatives,
+                        "With --limit: two derivatives, tangent and curvature too");
     subdivide->add_option("--axes", subdivide_.axes, "Coordinates drawn in SVG: i,j counted from 1");
     subdivide->add_flag("--plan", subdivide_.plan, "Say points, bytes, memory and states, and stop");
     commands_.push_back({subdivide, [this] { return Request(subdivide_); }});

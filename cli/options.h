@@ -68,6 +68,7 @@ struct SubdivideOptions {
     OutputTarget output;
     std::uint64_t steps = 0;
     bool limit = false;
+    bool derivatives = false; ///< with --limit
     bool plan = false;
     std::string axes; ///< "1,2" of --axes; empty = the first two
 };

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 
 #include "cli/commands.h"
+#include "cli/limit_output.h"
 #include "cli/load.h"
 #include "cli/output.h"
 #include "cli/polygon.h"
-#include "internode/curve/limit.h"
 #include "internode/curve/refinement.h"
 #include "internode/io/csv.h"
 #include "internode/io/curve_json.h"
@@ -55,38 +55,8 @@ PictureAxes chosen_axes(const std::string& text, std::size_t dimension) {
     return {pair[0] - 1, pair[1] - 1};
 }
 
-/// A row per point with its parameter in front, as NPY has no names.
-std::vector<double> with_parameter(const LimitPoints& limit, std::size_t dimension) {
-    std::vector<double> rows;
-    rows.reserve(limit.parameters.size() * (dimension + 1));
-    for (std::size_t i = 0; i < limit.parameters.size(); ++i) {
-        rows.push_back(limit.parameters[i]);
-        const auto first = limit.points.begin() + static_cast<std::ptrdiff_t>(i * dimension);
-        rows.insert(rows.end(), first, first + static_cast<std::ptrdiff_t>(dimension));
-    }
-    return rows;
-}
-
 std::vector<std::string> column_names(const LoadedCurve& loaded) {
     return loaded.columns.empty() ? coordinate_names(loaded.curve.dimension()) : loaded.columns;
-}
-
-void write_limit(Sink& sink, const std::string& format, const Refinement& refinement, const LoadedCurve& loaded) {
-    const LimitPoints limit = limit_points(refinement);
-    const std::size_t dimension = loaded.curve.dimension();
-    const PointsView points{dimension, limit.points};
-    if (format == "csv") {
-        CsvOptions csv;
-        csv.header = column_names(loaded);
-        csv.header.insert(csv.header.begin(), "t");
-        csv.parameter = limit.parameters;
-        write_csv(sink, points, csv);
-    } else if (format == "npy") {
-        const std::vector<double> rows = with_parameter(limit, dimension);
-        write_npy(sink, {dimension + 1, rows});
-    } else {
-        write_obj(sink, points, refinement.curve().ends());
-    }
 }
 
 /// The lengths of the letters at the curve's step, a_i / ρ^s: with them the file reads back as the same curve.
@@ -138,6 +108,10 @@ void check_format(const SubdivideOptions& options, const std::string& format, st
         throw failure(ExitCode::Refused,
                       fmt::format("OBJ has at most {} coordinates, the points have {}", max_obj_dimension, dimension),
                       "use CSV, JSON or NPY");
+    if (options.derivatives && !options.limit)
+        throw failure(ExitCode::Usage, "--derivatives belongs to --limit", "add --limit");
+    if (options.derivatives && format != "csv" && format != "npy")
+        throw failure(ExitCode::Usage, fmt::format("--derivatives has no {} form", format), "use CSV or NPY");
     if (options.limit && format == "json")
         throw failure(ExitCode::Usage, "points of the curve have no word: --limit has no JSON form",
                       "use CSV, NPY or OBJ; SVG always draws the curve");
@@ -176,8 +150,10 @@ ExitCode run(const SubdivideOptions& options, const Context& context) {
     if (format == "svg")
         output.sink().write(curve_picture(planar_curve(loaded.curve, refinement, axes),
                                           {picture_title(options, loaded), generator(context)}));
+    else if (options.derivatives)
+        write_limit_frames(output.sink(), format, refinement, column_names(loaded));
     else if (options.limit)
-        write_limit(output.sink(), format, refinement, loaded);
+        write_limit(output.sink(), format, refinement, column_names(loaded));
     else
         write_polygon(output.sink(), format, refinement.curve(), loaded, context);
     output.commit();

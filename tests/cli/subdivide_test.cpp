@@ -166,6 +166,37 @@ TEST_F(Subdivide, LimitHasTheParameterAsAColumn) {
         run({"square.csv", "-d", "2", "-n", "1", "--clamped", "--word", "LS", "--limit", "--format", "json"}).code, 2);
 }
 
+TEST_F(Subdivide, DerivativesAreMoreColumnsOfTheLimit) {
+    // One quadratic piece over S = 1: c' = (2, 0), then (0, 2); c'' = (-2, 2).
+    here.file("corner.csv", "x,y\n0,0\n1,0\n1,1\n");
+    const std::vector<std::string> options{"-d", "2",       "-n",           "0", "--clamped", "--word",
+                                           "S",  "--limit", "--derivatives"};
+    const auto frames_of = [&](const std::string& file) {
+        std::vector<std::string> line{file};
+        line.insert(line.end(), options.begin(), options.end());
+        return run(line);
+    };
+    const Outcome frames = frames_of("corner.csv");
+    EXPECT_EQ(frames.code, 0) << frames.err;
+    EXPECT_EQ(frames.out, "t,x,y,dx,dy,ddx,ddy,tx,ty,curvature\n"
+                          "0,0,0,2,0,-2,2,1,0,0.5\n"
+                          "1,1,1,0,2,-2,2,0,1,0.5\n");
+    here.file("stop.csv", "0,0\n0,0\n1,1\n");
+    const Outcome stop =
+        run({"stop.csv", "-d", "2", "-n", "0", "--clamped", "--word", "S", "--limit", "--derivatives"});
+    EXPECT_THAT(stop.out, HasSubstr("\n0,0,0,0,0,2,2,,,\n")) << "no tangent where the curve stops";
+    here.file("far.csv", "0,0\n1e300,1e308\n1,1\n");
+    EXPECT_EQ(frames_of("far.csv").code, 3);
+}
+
+TEST_F(Subdivide, DerivativesInNpyAreTheSameColumns) {
+    ASSERT_EQ(run({"square.csv", "-d", "3", "-n", "1", "--clamped", "--word", "L", "--limit", "--derivatives", "-o",
+                   "limit.npy"})
+                  .code,
+              0);
+    EXPECT_THAT(here.read("limit.npy"), HasSubstr("'shape': (3, 10)"));
+}
+
 TEST_F(Subdivide, HostileNamesAreTextInPictures) {
     const std::string name = "</script><img src=x onerror=1>]]>";
     here.file("evil.lsys", "intervals \"" + name + "\"\nL -> S L\nS -> L\n");

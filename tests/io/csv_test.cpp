@@ -69,6 +69,18 @@ TEST(Csv, KeepsHostileNamesOnTheirLine) {
     }
 }
 
+TEST(Csv, LeavesAMissingNumberEmptyWhenAskedTo) {
+    const double missing = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<double> coordinates{missing, 1, 2, missing};
+    StringSink sink;
+    EXPECT_TRUE(write_csv(sink, {2, coordinates}, {.header = {}, .parameter = {}, .nan_is_missing = true}));
+    EXPECT_EQ(sink.text(), ",1\n2,\n");
+    EXPECT_THROW(write_csv(sink, {2, coordinates}), std::invalid_argument);
+    const std::vector<double> infinite{std::numeric_limits<double>::infinity()};
+    EXPECT_THROW(write_csv(sink, {1, infinite}, {.header = {}, .parameter = {}, .nan_is_missing = true}),
+                 std::invalid_argument);
+}
+
 TEST(Csv, NamesCoordinates) {
     EXPECT_THAT(coordinate_names(1), ElementsAre("x"));
     EXPECT_THAT(coordinate_names(4), ElementsAre("x1", "x2", "x3", "x4"));

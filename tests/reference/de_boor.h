@@ -75,4 +75,22 @@ inline std::vector<Real> de_boor(const DeBoorCurve& curve, Real x) {
     return de_boor_piece(curve, found, x);
 }
 
+/// The derivative, a curve of one degree less: piece j of the curve is piece j - 1 of it. Of degree 0 it has none.
+inline DeBoorCurve derivative(const DeBoorCurve& curve) {
+    if (curve.degree == 0) throw std::invalid_argument("a curve of degree 0 has no derivative curve");
+    DeBoorCurve result;
+    result.degree = curve.degree - 1;
+    result.knots.assign(curve.knots.begin() + 1, curve.knots.end() - 1);
+    for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
+        const Real span = curve.knots[i + curve.degree + 1] - curve.knots[i + 1];
+        result.points.push_back(curve.points[i]);
+        // Without a span the curve breaks there, and no piece has this point.
+        for (std::size_t c = 0; c < curve.points[i].size(); ++c)
+            result.points[i][c] =
+                span == 0 ? Real(0)
+                          : static_cast<Real>(curve.degree) * (curve.points[i + 1][c] - curve.points[i][c]) / span;
+    }
+    return result;
+}
+
 } // namespace internode::reference

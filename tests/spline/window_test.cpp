@@ -212,5 +212,73 @@ TEST(Window, RefusesWhatIsNotAWindow) {
     EXPECT_THROW((void)piece.bezier(3), std::out_of_range);
 }
 
+/// The r-th derivative of x^m.
+Number derivative_of_power(const Number& x, int m, int r) {
+    if (r > m) return Number(0);
+    Number value = pow(x, m - r);
+    for (int factor = m; factor > m - r; --factor) value *= Number(factor);
+    return value;
+}
+
+/// Derivative rows against polynomials: over the control points of x^m they give its derivatives at the knot.
+void expect_derivatives(const IntervalSystem& system, const Word& window) {
+    const std::size_t d = window.size() / 2 + 1;
+    const int beyond = static_cast<int>(d) + 2;
+    std::vector<Number> local = knots(system, window);
+    for (Number& knot : local) knot += Number(1); // 0^0 aside
+    for (const PieceEnd end : {PieceEnd::Begin, PieceEnd::End}) {
+        const Number& knot = local[end == PieceEnd::Begin ? d - 1 : d];
+        const std::vector<std::vector<Number>> rows = derivative_rows(system, window, end, beyond);
+        ASSERT_EQ(rows.size(), d + 3);
+        for (int r = 0; r <= beyond; ++r) {
+            const std::vector<Number>& row = rows[static_cast<std::size_t>(r)];
+            ASSERT_EQ(row.size(), d + 1);
+            for (std::size_t m = 0; m <= d; ++m) {
+                Number sum;
+                for (std::size_t i = 0; i <= d; ++i)
+                    sum += row[i] * polar_power<Number>(std::span(local).subspan(i, d), m);
+                EXPECT_EQ(sum, derivative_of_power(knot, static_cast<int>(m), r)) << "x^" << m << ", order " << r;
+            }
+        }
+    }
+}
+
+TEST(DerivativeRows, DifferentiatePolynomialsForEveryBundledGrammar) {
+    for (const auto& [name, system] : reference::bundled_systems()) {
+        SCOPED_TRACE(name);
+        for (std::size_t d = 1; d <= 4; ++d) {
+            const std::vector<Word> all = persistent_windows(system, d);
+            const std::size_t stride = all.size() / 6 + 1;
+            for (std::size_t i = 0; i < all.size(); i += stride) expect_derivatives(system, all[i]);
+        }
+    }
+}
+
+TEST(DerivativeRows, DifferentiatePolynomialsBetweenEmptyIntervals) {
+    const IntervalSystem fibonacci = system_of("L->SL, S->L");
+    for (std::size_t d = 1; d <= 3; ++d)
+        for (const Word& window : reference::words_with_zeros(2, 2 * d - 1))
+            if (window[d - 1] != zero_interval) expect_derivatives(fibonacci, window);
+}
+
+TEST(DerivativeRows, NeedNoPointBeyondASimpleKnot) {
+    const IntervalSystem fibonacci = system_of("L->SL, S->L");
+    for (std::size_t d = 2; d <= 6; ++d)
+        for (const Word& window : persistent_windows(fibonacci, d)) {
+            const auto begin = derivative_rows(fibonacci, window, PieceEnd::Begin, static_cast<int>(d));
+            const auto end = derivative_rows(fibonacci, window, PieceEnd::End, static_cast<int>(d));
+            for (std::size_t m = 0; m < d; ++m) {
+                EXPECT_EQ(begin[m].back(), Number(0)) << "the curve is smooth there: v_j is not needed";
+                EXPECT_EQ(end[m].front(), Number(0));
+            }
+            EXPECT_NE(begin[d].back(), Number(0));
+        }
+}
+
+TEST(DerivativeRows, RefuseANegativeOrder) {
+    const IntervalSystem fibonacci = system_of("L->SL, S->L");
+    EXPECT_THROW((void)derivative_rows(fibonacci, word_of(fibonacci, "L"), PieceEnd::Begin, -1), std::invalid_argument);
+}
+
 } // namespace
 } // namespace internode

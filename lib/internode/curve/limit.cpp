@@ -2,68 +2,97 @@
 
 #include "internode/curve/limit.h"
 
+#include "internode/curve/frame.h"
 #include "internode/curve/gather.h"
 #include "internode/curve/parameter.h"
 #include "internode/spline/window.h"
 
 #include <unordered_map>
+#include <utility>
 
 namespace internode {
 
 namespace {
 
-/// The d+1 rows of d+1 weights of a state's window, rounded once and kept.
-class BezierTable {
-public:
-    explicit BezierTable(const Refinement& refinement)
-        : refinement_(refinement) {}
+using Rows = std::vector<std::vector<double>>;
 
-    const std::vector<std::vector<double>>& rows(std::uint32_t state) {
+Rows rounded(const std::vector<std::vector<Number>>& exact) {
+    Rows rows;
+    for (const std::vector<Number>& row : exact) {
+        rows.emplace_back();
+        for (const Number& weight : row) rows.back().push_back(weight.to_double());
+    }
+    return rows;
+}
+
+/// The rows of d+1 weights of a window that `make` gives, rounded once for each state and kept.
+template<typename Make>
+class RowTable {
+public:
+    RowTable(const Refinement& refinement, Make make)
+        : refinement_(refinement)
+        , make_(std::move(make)) {}
+
+    const Rows& rows(std::uint32_t state) {
         const auto [place, is_new] = rows_.try_emplace(state);
-        if (is_new) place->second = make(refinement_.automaton().state(state).window);
+        if (is_new) place->second = rounded(make_(refinement_.automaton().state(state).window));
         return place->second;
     }
 
 private:
-    std::vector<std::vector<double>> make(const Word& window) const {
-        std::vector<std::vector<double>> rounded;
-        for (const std::vector<Number>& row : bezier_rows(refinement_.curve().system(), window)) {
-            rounded.emplace_back();
-            for (const Number& weight : row) rounded.back().push_back(weight.to_double());
-        }
-        return rounded;
-    }
-
     const Refinement& refinement_;
-    std::unordered_map<std::uint32_t, std::vector<std::vector<double>>> rows_;
+    Make make_;
+    std::unordered_map<std::uint32_t, Rows> rows_;
 };
 
-/// The Bézier points over the non-empty intervals of a curve's domain, one interval at a time.
+/// Rows 0 … d of the Bézier points.
+auto bezier_table(const Refinement& refinement) {
+    return RowTable(refinement,
+                    [system = refinement.curve().system()](const Word& window) { return bezier_rows(system, window); });
+}
+
+constexpr int highest_order = 2;
+
+/// Rows m = 0 … 2 of the derivatives at the knot where the interval begins, then those where it ends.
+auto derivative_table(const Refinement& refinement) {
+    const IntervalSystem& system = refinement.curve().system();
+    return RowTable(refinement, [system, speed = pow(system.ratio(), refinement.curve().step())](const Word& window) {
+        std::vector<std::vector<Number>> rows;
+        for (const PieceEnd end : {PieceEnd::Begin, PieceEnd::End}) {
+            std::vector<std::vector<Number>> some = derivative_rows(system, window, end, highest_order);
+            for (int m = 0; m <= highest_order; ++m)
+                for (Number& weight : some[static_cast<std::size_t>(m)]) weight *= pow(speed, m);
+            rows.insert(rows.end(), some.begin(), some.end());
+        }
+        return rows;
+    });
+}
+
+/// The control points over the non-empty intervals of a curve's domain, one interval at a time, combined by rows.
 class Pieces {
 public:
     explicit Pieces(const Refinement& refinement)
         : curve_(refinement.curve())
         , refinement_(refinement)
-        , table_(refinement)
         , parents_(curve_.points(), curve_.dimension(), refinement.automaton().width()) {}
 
     /// Whether an interval of the domain starts at this cell: it leads no other.
     [[nodiscard]] bool starts_at(std::size_t cell) const {
-        return refinement_.automaton().state(refinement_.states()[cell]).lead == 0;
+        return refinement_.automaton().state(state(cell)).lead == 0;
     }
+    [[nodiscard]] std::uint32_t state(std::size_t cell) const { return refinement_.states()[cell]; }
 
-    /// Appends Bézier point b of the interval that starts at the cell.
-    void append(std::size_t cell, std::size_t b, std::vector<double>& points) {
+    /// Appends the combination by `row` of the control points over the interval that starts at the cell.
+    void append(std::size_t cell, const std::vector<double>& row, std::vector<double>& points) {
         const std::size_t dimension = curve_.dimension();
-        const double* rows = parents_.rows(static_cast<std::ptrdiff_t>(cell) - curve_.degree());
+        const double* parents = parents_.rows(static_cast<std::ptrdiff_t>(cell) - curve_.degree());
         points.resize(points.size() + dimension);
-        combine(table_.rows(refinement_.states()[cell])[b], rows, dimension, points.data() + points.size() - dimension);
+        combine(row, parents, dimension, points.data() + points.size() - dimension);
     }
 
 private:
     const Curve& curve_;
     const Refinement& refinement_;
-    BezierTable table_;
     Parents parents_;
 };
 
@@ -75,19 +104,17 @@ std::vector<std::size_t> starts(const Curve& curve, const Pieces& pieces) {
     return cells;
 }
 
-} // namespace
-
-LimitPoints limit_points(const Refinement& refinement) {
-    const Curve& curve = refinement.curve();
+/// Calls add(cell, end) for every distinct knot, breaks twice, after it has put down parameter and break: the knot
+/// where the interval of that cell begins or ends.
+template<typename Add>
+void for_each_knot(const Curve& curve, const Pieces& pieces, LimitPoints& limit, Add add) {
     const auto degree = static_cast<std::size_t>(curve.degree());
     const std::vector<double> knots = knot_positions(curve);
-    Pieces pieces(refinement);
     const std::vector<std::size_t> cells = starts(curve, pieces);
-    LimitPoints limit;
-    const auto add = [&](std::size_t cell, std::size_t b, double parameter, bool breaks) {
+    const auto visit = [&](std::size_t cell, PieceEnd end, double parameter, bool breaks) {
         limit.parameters.push_back(parameter);
         limit.break_before.push_back(breaks);
-        pieces.append(cell, b, limit.points);
+        add(cell, end);
     };
 
     const bool open = curve.ends() == Ends::Open;
@@ -96,21 +123,60 @@ LimitPoints limit_points(const Refinement& refinement) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const bool breaks = i > 0 ? cells[i] - cells[i - 1] == degree + 1 : seam_breaks;
         const double parameter = knots[cells[i]];
-        if (i > 0 && breaks) add(cells[i - 1], degree, parameter, false);
-        add(cells[i], 0, parameter, breaks);
+        if (i > 0 && breaks) visit(cells[i - 1], PieceEnd::End, parameter, false);
+        visit(cells[i], PieceEnd::Begin, parameter, breaks);
     }
-    if (open || seam_breaks) add(cells.back(), degree, knots[cells.back() + 1], false);
+    if (open || seam_breaks) visit(cells.back(), PieceEnd::End, knots[cells.back() + 1], false);
+}
+
+void add_frames(LimitFrames& frames, std::size_t dimension) {
+    frames.tangents.resize(frames.first.size());
+    for (std::size_t at = 0; at < frames.first.size(); at += dimension) {
+        const std::span<const double> first(frames.first.data() + at, dimension);
+        const std::span<const double> second(frames.second.data() + at, dimension);
+        unit_tangent(first, {frames.tangents.data() + at, dimension});
+        frames.curvatures.push_back(curvature(first, second));
+    }
+}
+
+} // namespace
+
+LimitPoints limit_points(const Refinement& refinement) {
+    const Curve& curve = refinement.curve();
+    auto table = bezier_table(refinement);
+    Pieces pieces(refinement);
+    LimitPoints limit;
+    for_each_knot(curve, pieces, limit, [&](std::size_t cell, PieceEnd end) {
+        const Rows& rows = table.rows(pieces.state(cell));
+        pieces.append(cell, end == PieceEnd::Begin ? rows.front() : rows.back(), limit.points);
+    });
     return limit;
+}
+
+LimitFrames limit_frames(const Refinement& refinement) {
+    const Curve& curve = refinement.curve();
+    auto table = derivative_table(refinement);
+    Pieces pieces(refinement);
+    LimitFrames frames;
+    for_each_knot(curve, pieces, frames.limit, [&](std::size_t cell, PieceEnd end) {
+        const Rows& rows = table.rows(pieces.state(cell));
+        const std::size_t value = end == PieceEnd::Begin ? 0 : highest_order + 1;
+        pieces.append(cell, rows[value], frames.limit.points);
+        pieces.append(cell, rows[value + 1], frames.first);
+        pieces.append(cell, rows[value + 2], frames.second);
+    });
+    add_frames(frames, curve.dimension());
+    return frames;
 }
 
 BezierSegments bezier_segments(const Refinement& refinement) {
     const Curve& curve = refinement.curve();
+    auto table = bezier_table(refinement);
     Pieces pieces(refinement);
     BezierSegments segments;
     for (const std::size_t cell : starts(curve, pieces)) {
         segments.symbols.push_back(curve.word()[cell]);
-        for (std::size_t b = 0; b <= static_cast<std::size_t>(curve.degree()); ++b)
-            pieces.append(cell, b, segments.points);
+        for (const std::vector<double>& row : table.rows(pieces.state(cell))) pieces.append(cell, row, segments.points);
     }
     return segments;
 }

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Points of the limit curve itself, by exact rows: at the knots, and as Bézier segments.
+// The limit curve itself, by exact rows: points and derivatives at the knots, and Bézier segments.
+//
+// Each value is a combination of d+1 control points; its row depends on the window of the interval that starts (or
+// ends) at the knot and on nothing else. Rows are exact in K and rounded once. Derivatives are by the parameter of
+// step 0, in which A_i has the length a_i, at every step: a row of order m at step s is ρ^(s m) times that of step 0.
 
 #pragma once
 
@@ -21,6 +25,20 @@ struct LimitPoints {
 
 /// The curve at the distinct knots of its domain. Where it breaks, the knot appears twice: left limit, right limit.
 [[nodiscard]] LimitPoints limit_points(const Refinement& refinement);
+
+/// Rows of dimension() coordinates, and single numbers, in the order of `limit`.
+struct LimitFrames {
+    LimitPoints limit;
+    std::vector<double> first;      ///< derivatives; at a knot from the right, at the end and before a break from the
+                                    ///< left: the two sides agree up to order d - (multiplicity of the knot)
+    std::vector<double> second;     ///< 0 for degree 1
+    std::vector<double> tangents;   ///< of length 1; NaN where the first derivative is 0
+    std::vector<double> curvatures; ///< one each, signed in the plane (curve/frame.h); NaN where `first` is 0
+};
+
+/// Points, derivatives, tangents and curvatures at the distinct knots of the domain, in one sweep. Beyond the range of
+/// doubles (intervals near smallest_length) a derivative is infinite or NaN.
+[[nodiscard]] LimitFrames limit_frames(const Refinement& refinement);
 
 struct BezierSegments {
     std::vector<Symbol> symbols; ///< of each non-empty interval of the domain, left to right

@@ -4,6 +4,7 @@
 
 #include "internode/io/text_buffer.h"
 
+#include <cmath>
 #include <stdexcept>
 
 namespace internode {
@@ -52,7 +53,8 @@ bool write_csv(Sink& sink, const PointsView& points, const CsvOptions& options) 
         if (!options.parameter.empty()) text << options.parameter[row] << ',';
         for (std::size_t i = 0; i < points.dimension; ++i) {
             if (i > 0) text << ',';
-            text << points[row][i];
+            const double value = points[row][i];
+            if (!options.nan_is_missing || !std::isnan(value)) text << value;
         }
         if (!text.end_line()) return false;
     }

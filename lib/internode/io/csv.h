@@ -16,13 +16,14 @@ namespace internode {
 struct CsvOptions {
     std::vector<std::string> header{};   ///< a name per column, no line when empty; quoted where needed
     std::span<const double> parameter{}; ///< a column before the coordinates, one value per point; none when empty
+    bool nan_is_missing = false;         ///< a NaN is an empty field
 };
 
 /// "x", "y", "z" up to three dimensions, "x1" … "xn" beyond.
 [[nodiscard]] std::vector<std::string> coordinate_names(std::size_t dimension);
 
 /// Writes all points; false if the sink failed. \throw std::invalid_argument for sizes that do not match and numbers
-/// that are not finite
+/// that are not finite (NaN aside when it is missing)
 bool write_csv(Sink& sink, const PointsView& points, const CsvOptions& options = {});
 
 } // namespace internode

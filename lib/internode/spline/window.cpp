@@ -89,4 +89,37 @@ std::vector<std::vector<Number>> bezier_rows(const IntervalSystem& system, WordV
     return rows;
 }
 
+namespace {
+
+/// Δ of every two neighbours, weight by weight: one row fewer.
+void take_differences(std::vector<std::vector<Number>>& rows) {
+    for (std::size_t b = 0; b + 1 < rows.size(); ++b)
+        for (std::size_t i = 0; i < rows[b].size(); ++i) rows[b][i] = rows[b + 1][i] - rows[b][i];
+    rows.pop_back();
+}
+
+} // namespace
+
+std::vector<std::vector<Number>> derivative_rows(const IntervalSystem& system, WordView window, PieceEnd end,
+                                                 int order) {
+    if (order < 0) throw std::invalid_argument("the order of a derivative is at least 0");
+    // The m-th derivative of a Bézier curve over a length h: d! / (d-m)! h^-m times an m-th difference at its end.
+    std::vector<std::vector<Number>> differences = bezier_rows(system, window);
+    const std::size_t width = differences.size();
+    const Number reciprocal = Number(1) / system.length(window[window.size() / 2]);
+    Number factor(1);
+    std::vector<std::vector<Number>> rows;
+    for (std::size_t m = 0; m <= static_cast<std::size_t>(order); ++m) {
+        if (m >= width) {
+            rows.emplace_back(width);
+            continue;
+        }
+        rows.push_back(end == PieceEnd::Begin ? differences.front() : differences.back());
+        for (Number& weight : rows.back()) weight *= factor;
+        take_differences(differences);
+        factor *= reciprocal * Number(static_cast<long>(width - 1 - m));
+    }
+    return rows;
+}
+
 } // namespace internode

@@ -60,4 +60,13 @@ struct WindowStencils {
 /// v_{j-d} … v_j; row 0 is the limit at τ_j, row d at τ_{j+1}. Exceptions of WindowPiece.
 [[nodiscard]] std::vector<std::vector<Number>> bezier_rows(const IntervalSystem& system, WordView window);
 
+/// Where a piece is looked at: at the knot τ_j where its interval begins, or at τ_{j+1} where it ends.
+enum class PieceEnd { Begin, End };
+
+/// Rows m = 0 … order of d + 1 weights: the m-th derivatives of the piece at that end, by the parameter in which A_i
+/// has the length a_i. After s steps, when it has a_i / ρ^s, row m is to be multiplied by ρ^(s m). Rows beyond m = d
+/// are zero. \throw std::invalid_argument for a negative order, and as WindowPiece
+[[nodiscard]] std::vector<std::vector<Number>> derivative_rows(const IntervalSystem& system, WordView window,
+                                                               PieceEnd end, int order);
+
 } // namespace internode
