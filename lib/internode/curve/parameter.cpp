@@ -37,17 +37,17 @@ DoubleDouble to_double_double(const Number& number) {
     return {hi, (number - Number(to_rational(hi))).to_double()};
 }
 
-/// a_i / ρ^s of every symbol of the curve's word.
+/// a_i / ρ^s of every symbol of the word.
 class Lengths {
 public:
-    explicit Lengths(const Curve& curve)
-        : lengths_(curve.system().alphabet().size()) {
-        const Number scale = pow(curve.system().ratio(), -curve.step());
+    explicit Lengths(const Knots& knots)
+        : lengths_(knots.system().alphabet().size()) {
+        const Number scale = pow(knots.system().ratio(), -knots.step());
         std::vector<bool> known(lengths_.size());
-        for (const Symbol symbol : curve.word()) {
+        for (const Symbol symbol : knots.word()) {
             if (symbol == zero_interval || known[to_index(symbol)]) continue;
             known[to_index(symbol)] = true;
-            lengths_[to_index(symbol)] = to_double_double(curve.system().length(symbol) * scale);
+            lengths_[to_index(symbol)] = to_double_double(knots.system().length(symbol) * scale);
         }
     }
     DoubleDouble operator[](Symbol symbol) const {
@@ -58,30 +58,34 @@ private:
     std::vector<DoubleDouble> lengths_;
 };
 
-/// t_0 … t_{N+d}, of open and closed curves alike.
-std::vector<DoubleDouble> long_knots(const Curve& curve) {
-    const Lengths lengths(curve);
-    const Word& word = curve.word();
-    const auto degree = static_cast<std::size_t>(curve.degree());
-    const std::size_t origin = curve.ends() == Ends::Open ? degree : 0;
-    std::vector<DoubleDouble> knots(curve.size() + degree + 1);
-    for (std::size_t i = origin; i > 0; --i) knots[i - 1] = knots[i] + -lengths[word[i - 1]];
-    for (std::size_t i = origin; i + 1 < knots.size(); ++i) knots[i + 1] = knots[i] + lengths[word[i % word.size()]];
-    return knots;
+/// t_0 … t_{N+d}, of open and closed knots alike.
+std::vector<DoubleDouble> long_positions(const Knots& knots) {
+    const Lengths lengths(knots);
+    const Word& word = knots.word();
+    const auto degree = static_cast<std::size_t>(knots.degree());
+    const std::size_t origin = knots.ends() == Ends::Open ? degree : 0;
+    std::vector<DoubleDouble> result(knots.size() + degree + 1);
+    for (std::size_t i = origin; i > 0; --i) result[i - 1] = result[i] + -lengths[word[i - 1]];
+    for (std::size_t i = origin; i + 1 < result.size(); ++i) result[i + 1] = result[i] + lengths[word[i % word.size()]];
+    return result;
 }
 
 } // namespace
 
-std::vector<double> knot_positions(const Curve& curve) {
-    const std::vector<DoubleDouble> knots = long_knots(curve);
-    const std::size_t count = curve.ends() == Ends::Open ? knots.size() : curve.size() + 1;
+std::vector<double> knot_positions(const Knots& knots) {
+    const std::vector<DoubleDouble> exact = long_positions(knots);
+    const std::size_t count = knots.ends() == Ends::Open ? exact.size() : knots.size() + 1;
     std::vector<double> positions(count);
-    for (std::size_t i = 0; i < count; ++i) positions[i] = knots[i].hi;
+    for (std::size_t i = 0; i < count; ++i) positions[i] = exact[i].hi;
     return positions;
 }
 
+std::vector<double> knot_positions(const Curve& curve) {
+    return knot_positions(curve.knots());
+}
+
 std::vector<double> greville_abscissae(const Curve& curve) {
-    const std::vector<DoubleDouble> knots = long_knots(curve);
+    const std::vector<DoubleDouble> knots = long_positions(curve.knots());
     const auto degree = static_cast<std::size_t>(curve.degree());
     std::vector<double> abscissae(curve.size());
     for (std::size_t k = 0; k < abscissae.size(); ++k) {
@@ -100,7 +104,7 @@ double interval_length(const Curve& curve, Symbol symbol) {
 }
 
 double largest_interval(const Curve& curve) {
-    const Lengths lengths(curve);
+    const Lengths lengths(curve.knots());
     double largest = 0;
     for (const Symbol symbol : curve.domain()) largest = std::max(largest, lengths[symbol].hi);
     return largest;

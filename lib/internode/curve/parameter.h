@@ -15,6 +15,7 @@ namespace internode {
 
 /// t_0 … t_{N+d} of an open curve with t_d = 0; t_0 … t_N of a closed one with t_0 = 0 and t_N the period.
 [[nodiscard]] std::vector<double> knot_positions(const Curve& curve);
+[[nodiscard]] std::vector<double> knot_positions(const Knots& knots);
 
 /// ξ_0 … ξ_{N-1}, ξ_k = (t_{k+1} + … + t_{k+d}) / d; of a closed curve ascending, past the period where need be.
 [[nodiscard]] std::vector<double> greville_abscissae(const Curve& curve);
