@@ -202,8 +202,8 @@ PolygonError polygon_error(std::span<const double> a, std::span<const double> b,
         largest = std::max(largest, square);
         sum += square;
     }
-    const auto points = static_cast<double>(a.size() / dimension);
-    return {std::sqrt(largest), points > 0 ? std::sqrt(sum / points) : 0};
+    const std::size_t points = a.size() / dimension;
+    return {std::sqrt(largest), points > 0 ? std::sqrt(sum / static_cast<double>(points)) : 0};
 }
 
 std::vector<PolygonError> approximation_errors(const Analysis& analysis) {
