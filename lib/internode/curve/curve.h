@@ -13,6 +13,7 @@
 
 namespace internode {
 
+struct ApplyOptions;
 struct CurveData;
 struct CheckedCurve;
 
@@ -32,6 +33,7 @@ public:
 
 private:
     friend class Refinement;
+    friend Curve refine(const Curve& curve, int steps, const ApplyOptions& options);
     friend CheckedCurve make_curve(const IntervalSystem& system, CurveData data);
     friend CheckedCurve make_curve(Knots knots, std::size_t dimension, std::vector<double> points);
     Curve(Knots knots, std::size_t dimension, std::vector<double> points);

@@ -19,13 +19,9 @@ const double* Parents::rows(std::ptrdiff_t first) {
 }
 
 void combine(std::span<const double> weights, const double* rows, std::size_t dimension, double* out) {
-    std::size_t begin = 0;
-    std::size_t end = weights.size();
-    while (begin + 1 < end && weights[begin] == 0) ++begin;
-    while (begin + 1 < end && weights[end - 1] == 0) --end;
     for (std::size_t c = 0; c < dimension; ++c) {
-        double sum = weights[begin] * rows[begin * dimension + c];
-        for (std::size_t k = begin + 1; k < end; ++k) sum += weights[k] * rows[k * dimension + c];
+        double sum = weights[0] * rows[c];
+        for (std::size_t k = 1; k < weights.size(); ++k) sum += weights[k] * rows[k * dimension + c];
         out[c] = sum;
     }
 }

@@ -32,8 +32,8 @@ private:
     std::vector<double> wrapped_;
 };
 
-/// out[c] = Σ_k weights[k] rows[k][c], summed from the first to the last weight that is not 0: a row with a single 1
-/// copies its parent bit for bit, the sign of a zero included.
+/// out[c] = ((weights[0] rows[0][c] + weights[1] rows[1][c]) + …): the order of stencil/kernel.h. A row with a single 1
+/// copies its parent exactly, but for the sign of a zero.
 void combine(std::span<const double> weights, const double* rows, std::size_t dimension, double* out);
 
 } // namespace internode

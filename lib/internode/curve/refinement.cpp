@@ -115,12 +115,15 @@ void Refinement::step() {
     curve_.knots_ = refined_knots(curve_.knots_, 1);
 }
 
-Curve refine(const Curve& curve, int steps) {
-    if (steps < 0) throw std::invalid_argument("a negative number of steps");
-    if (steps == 0) return curve;
-    Refinement refinement(curve);
-    for (int step = 0; step < steps; ++step) refinement.step();
-    return refinement.curve();
+RefinementPlan refinement_plan(const Knots& knots, int steps, const PlanOptions& options) {
+    return {knots.system(), knots.degree(), knots.word(), knots.ends(), steps, options};
+}
+
+Curve refine(const Curve& curve, int steps, const ApplyOptions& options) {
+    const RefinementPlan plan = refinement_plan(curve.knots(), steps);
+    std::vector<double> points(plan.output_size() * curve.dimension());
+    plan.apply<double>(curve.points(), curve.dimension(), points, options);
+    return {refined_knots(curve.knots(), steps), curve.dimension(), std::move(points)};
 }
 
 } // namespace internode

@@ -10,7 +10,7 @@
 #pragma once
 
 #include "internode/curve/curve.h"
-#include "internode/stencil/automaton.h"
+#include "internode/stencil/plan.h"
 
 #include <cstdint>
 #include <memory>
@@ -48,8 +48,12 @@ private:
     std::vector<std::uint32_t> states_;
 };
 
-/// The curve after `steps` >= 0 steps. \throw std::invalid_argument for fewer, TooManyStates
-[[nodiscard]] Curve refine(const Curve& curve, int steps);
+/// What refining curves, or anything else over these knots, by `steps` steps needs. Exceptions of RefinementPlan.
+[[nodiscard]] RefinementPlan refinement_plan(const Knots& knots, int steps, const PlanOptions& options = {});
+
+/// The curve after `steps` >= 0 steps, the fast way: within rounding what Refinement gives step by step.
+/// \throw std::invalid_argument for fewer, TooManyStates
+[[nodiscard]] Curve refine(const Curve& curve, int steps, const ApplyOptions& options = {});
 
 /// The word after one step, cut as above.
 [[nodiscard]] Word refined_word(const Morphism& rules, WordView word, int degree, Ends ends);

@@ -3,6 +3,7 @@
 #include "internode/stencil/block_run.h"
 
 #include <algorithm>
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 #include <type_traits>
@@ -16,7 +17,7 @@ constexpr std::size_t streamed_bytes = std::size_t{1} << 26;
 constexpr std::size_t batch = 128;
 
 /// The weights as the kernel wants them; floats are rounded once more.
-template <typename Scalar>
+template<typename Scalar>
 std::vector<Scalar> converted(const std::vector<double>& weights) {
     std::vector<Scalar> result(weights.size());
     std::ranges::transform(weights, result.begin(), [](double weight) { return static_cast<Scalar>(weight); });
@@ -30,7 +31,7 @@ struct Task {
 };
 
 /// Runs of cells that write about `grain` points each.
-template <typename State>
+template<typename State>
 std::vector<Task> tasks_of(const FusedStencils& stencils, const State* states, std::size_t cells, std::size_t grain) {
     std::vector<Task> tasks;
     std::size_t point = 0;
@@ -45,7 +46,13 @@ std::vector<Task> tasks_of(const FusedStencils& stencils, const State* states, s
     return tasks;
 }
 
-template <typename Scalar, typename State>
+/// As many threads as asked for, 0 for all; never more than oneTBB has: it would print a warning.
+int concurrency(int threads) {
+    const auto most = static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+    return threads == 0 ? most : std::min(threads, most);
+}
+
+template<typename Scalar, typename State>
 class BlockRun {
 public:
     BlockRun(const FusedStencils& stencils, const State* states, std::size_t cells, Rows<Scalar> parents)
@@ -65,8 +72,7 @@ public:
         for (const State* state = states_ + tasks.back().first_cell; state != states_ + cells_; ++state)
             points += stencils_.rows(*state);
         points += tasks.back().first_point;
-        const Store store =
-            points * dimension * sizeof(Scalar) > streamed_bytes ? Store::Streamed : Store::Cached;
+        const Store store = points * dimension * sizeof(Scalar) > streamed_bytes ? Store::Streamed : Store::Cached;
         const Kernel<Scalar> kernel = internode::kernel<Scalar>(options.isa, stencils_.width, dimension);
         const auto run_task = [&](std::size_t task) {
             run_cells(tasks[task], kernel, out + tasks[task].first_point * dimension, store);
@@ -75,7 +81,7 @@ public:
             for (std::size_t task = 0; task < tasks.size(); ++task) run_task(task);
             return;
         }
-        tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic : options.threads);
+        tbb::task_arena arena(concurrency(options.threads));
         arena.execute([&] { tbb::parallel_for(std::size_t{0}, tasks.size(), run_task); });
     }
 
@@ -149,7 +155,7 @@ private:
 
 } // namespace
 
-template <typename Scalar>
+template<typename Scalar>
 void run_block(const FusedStencils& stencils, const CellArray& cells, Rows<Scalar> parents, Scalar* out,
                const ApplyOptions& options) {
     cells.visit([&](const auto* states) {

@@ -8,14 +8,14 @@
 namespace internode {
 namespace {
 
-template <typename State>
+template<typename State>
 std::vector<State> narrowed(const std::vector<std::uint32_t>& states) {
     std::vector<State> result(states.size());
     std::ranges::transform(states, result.begin(), [](std::uint32_t state) { return static_cast<State>(state); });
     return result;
 }
 
-template <typename State>
+template<typename State>
 std::vector<State> descendants(const std::vector<State>& states, const FusedStencils& stencils, std::uint64_t count) {
     const std::vector<State> table = narrowed<State>(stencils.descendants);
     std::vector<State> result(count);

@@ -24,7 +24,7 @@ public:
     [[nodiscard]] std::size_t bytes_per_cell() const;
 
     /// visitor(const T* states) with T of 1, 2 or 4 bytes.
-    template <typename Visitor>
+    template<typename Visitor>
     decltype(auto) visit(Visitor&& visitor) const {
         return std::visit([&](const auto& states) -> decltype(auto) { return visitor(states.data()); }, states_);
     }

@@ -23,7 +23,7 @@ Isa usable(Isa isa) {
     return isa != Isa::Plain && machine_has_avx2() ? Isa::Avx2 : Isa::Plain;
 }
 
-template <typename Scalar>
+template<typename Scalar>
 Kernel<Scalar> kernel(Isa isa, std::size_t width, std::size_t dimension) {
     Kernel<Scalar> chosen = nullptr;
 #if defined(INTERNODE_HAS_AVX2)

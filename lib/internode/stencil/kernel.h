@@ -24,7 +24,7 @@ enum class Isa {
 [[nodiscard]] Isa usable(Isa isa);
 
 /// The rows of one cell: `rows` new points from the d+1 parents that start at `parents`.
-template <typename Scalar>
+template<typename Scalar>
 struct CellWork {
     const Scalar* parents;
     const Scalar* weights; ///< width a row
@@ -36,7 +36,7 @@ enum class Store { Cached, Streamed };
 
 /// Writes the new points of `count` cells one after the other, rows of `dimension` coordinates. With a dimension up to
 /// 4, each parent may be read up to 32 bytes from its start: padding_bytes behind the last point are the caller's.
-template <typename Scalar>
+template<typename Scalar>
 using Kernel = void (*)(const CellWork<Scalar>* cells, std::size_t count, std::size_t dimension, Scalar* out,
                         Store store);
 
@@ -44,7 +44,7 @@ using Kernel = void (*)(const CellWork<Scalar>* cells, std::size_t count, std::s
 inline constexpr std::size_t padding_bytes = 32;
 
 /// The kernel of rows of `width` >= 2 weights.
-template <typename Scalar>
+template<typename Scalar>
 [[nodiscard]] Kernel<Scalar> kernel(Isa isa, std::size_t width, std::size_t dimension);
 
 } // namespace internode

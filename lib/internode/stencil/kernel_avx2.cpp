@@ -6,12 +6,12 @@
 
 namespace internode {
 
-template <>
+template<>
 Kernel<double> avx2_kernel(std::size_t width, std::size_t dimension) {
     return of_width<double>(width, dimension);
 }
 
-template <>
+template<>
 Kernel<float> avx2_kernel(std::size_t width, std::size_t dimension) {
     return of_width<float>(width, dimension);
 }

@@ -19,13 +19,13 @@
 namespace internode {
 namespace {
 
-template <typename Scalar, int Bytes>
+template<typename Scalar, int Bytes>
 struct VectorOf {
     typedef Scalar type __attribute__((vector_size(Bytes))); // NOLINT(modernize-use-using): no attribute there
 };
 
 /// The vectors that hold one point of `Dimension` coordinates: as few as the machine allows.
-template <typename Scalar, int Dimension>
+template<typename Scalar, int Dimension>
 struct PointVectors {
     static constexpr int size = Dimension * static_cast<int>(sizeof(Scalar));
     static constexpr int whole = size <= 8 ? 8 : size <= 16 ? 16 : 32;
@@ -35,20 +35,20 @@ struct PointVectors {
     using Vector = typename VectorOf<Scalar, bytes>::type;
 };
 
-template <typename Vector, typename Scalar>
+template<typename Vector, typename Scalar>
 inline Vector load(const Scalar* from) {
     Vector vector;
     std::memcpy(&vector, from, sizeof vector);
     return vector;
 }
 
-template <typename Vector, typename Scalar>
+template<typename Vector, typename Scalar>
 inline void store(const Vector& vector, Scalar* to) {
     std::memcpy(to, &vector, sizeof vector);
 }
 
 /// `rows` points from the same parents, which stay in registers.
-template <typename Scalar, int Width, int Dimension>
+template<typename Scalar, int Width, int Dimension>
 inline void combine(const Scalar* parents, const Scalar* weights, std::size_t rows, Scalar* out) {
     using Point = PointVectors<Scalar, Dimension>;
     using Vector = typename Point::Vector;
@@ -66,10 +66,6 @@ inline void combine(const Scalar* parents, const Scalar* weights, std::size_t ro
         out += Dimension;
     }
 }
-
-// A stage that stays in the first cache beside the table, and the spill of its last point.
-constexpr std::size_t stage_bytes = 4096;
-constexpr std::size_t line = 64;
 
 inline void copy_streamed(const char* from, std::size_t bytes, char* to) {
 #if defined(__SSE2__)
@@ -93,7 +89,7 @@ inline void fence(Store store) {
 }
 
 /// Points on their way to `out`: whole cache lines leave the stage past the caches.
-template <typename Scalar>
+template<typename Scalar>
 class Stage {
 public:
     explicit Stage(Scalar* out)
@@ -126,12 +122,14 @@ private:
         std::memmove(memory_, memory_ + taken, fill_);
     }
 
+    static constexpr std::size_t line = 64;
+    static constexpr std::size_t stage_bytes = 4096; // stays in the first cache beside the table
     char* out_;
     std::size_t fill_ = 0;
-    alignas(line) char memory_[stage_bytes + line];
+    alignas(line) char memory_[stage_bytes + line]; // and the spill of the last point
 };
 
-template <typename Scalar, int Width, int Dimension>
+template<typename Scalar, int Width, int Dimension>
 void refine_streamed(const CellWork<Scalar>* cells, std::size_t count, Scalar* out) {
     constexpr std::size_t point_bytes = sizeof(Scalar) * Dimension;
     Stage<Scalar> stage(out);
@@ -151,7 +149,7 @@ void refine_streamed(const CellWork<Scalar>* cells, std::size_t count, Scalar* o
 }
 
 /// Straight to their place; the last point, which has nobody after it to write over its spill, by way of the stack.
-template <typename Scalar, int Width, int Dimension>
+template<typename Scalar, int Width, int Dimension>
 void refine_cached(const CellWork<Scalar>* cells, std::size_t count, Scalar* out) {
     const CellWork<Scalar>* const last = cells + count - 1;
     for (const CellWork<Scalar>* cell = cells; cell != last; ++cell) {
@@ -165,7 +163,7 @@ void refine_cached(const CellWork<Scalar>* cells, std::size_t count, Scalar* out
     std::memcpy(out, point, sizeof(Scalar) * Dimension);
 }
 
-template <typename Scalar, int Width, int Dimension>
+template<typename Scalar, int Width, int Dimension>
 void refine_small(const CellWork<Scalar>* cells, std::size_t count, std::size_t, Scalar* out, Store store) {
     if (store == Store::Streamed)
         refine_streamed<Scalar, Width, Dimension>(cells, count, out);
@@ -173,10 +171,7 @@ void refine_small(const CellWork<Scalar>* cells, std::size_t count, std::size_t,
         refine_cached<Scalar, Width, Dimension>(cells, count, out);
 }
 
-// Columns of one pass over wide points: width parents of so many bytes stay in the first cache.
-constexpr std::size_t column_bytes = 4096;
-
-template <typename Scalar>
+template<typename Scalar>
 inline Scalar column_sum(const Scalar* parents, const Scalar* weights, std::size_t width, std::size_t dimension) {
     Scalar sum = weights[0] * parents[0];
     for (std::size_t k = 1; k < width; ++k) sum = sum + weights[k] * parents[k * dimension];
@@ -184,7 +179,7 @@ inline Scalar column_sum(const Scalar* parents, const Scalar* weights, std::size
 }
 
 /// `columns` coordinates of one new point, Width 0 for any width.
-template <typename Scalar, int Width>
+template<typename Scalar, int Width>
 inline void combine_columns(const Scalar* parents, const Scalar* weights, std::size_t any_width, std::size_t dimension,
                             std::size_t columns, Scalar* out, Store store) {
     using Vector = typename VectorOf<Scalar, INTERNODE_VECTOR_BYTES>::type;
@@ -197,8 +192,7 @@ inline void combine_columns(const Scalar* parents, const Scalar* weights, std::s
     }
     for (; column + lanes <= columns; column += lanes) {
         Vector sum = weights[0] * load<Vector>(parents + column);
-        for (std::size_t k = 1; k < width; ++k)
-            sum = sum + weights[k] * load<Vector>(parents + k * dimension + column);
+        for (std::size_t k = 1; k < width; ++k) sum = sum + weights[k] * load<Vector>(parents + k * dimension + column);
         if (store == Store::Streamed)
             copy_streamed(reinterpret_cast<const char*>(&sum), sizeof sum, reinterpret_cast<char*>(out + column));
         else
@@ -208,10 +202,10 @@ inline void combine_columns(const Scalar* parents, const Scalar* weights, std::s
 }
 
 /// Points of any dimension, whole rows of a grid among them, in blocks of columns.
-template <typename Scalar, int Width>
+template<typename Scalar, int Width>
 void refine_wide(const CellWork<Scalar>* cells, std::size_t count, std::size_t dimension, Scalar* out, Store store,
                  std::size_t width) {
-    constexpr std::size_t block = column_bytes / sizeof(Scalar);
+    constexpr std::size_t block = 4096 / sizeof(Scalar); // so wide, `width` parents stay in the first cache
     for (const CellWork<Scalar>* cell = cells; cell != cells + count; ++cell) {
         for (std::size_t first = 0; first < dimension; first += block) {
             const std::size_t columns = dimension - first < block ? dimension - first : block;
@@ -224,12 +218,12 @@ void refine_wide(const CellWork<Scalar>* cells, std::size_t count, std::size_t d
     fence(store);
 }
 
-template <typename Scalar, int Width>
+template<typename Scalar, int Width>
 void refine_any(const CellWork<Scalar>* cells, std::size_t count, std::size_t dimension, Scalar* out, Store store) {
     refine_wide<Scalar, Width>(cells, count, dimension, out, store, Width);
 }
 
-template <typename Scalar, int Width>
+template<typename Scalar, int Width>
 Kernel<Scalar> of_dimension(std::size_t dimension) {
     switch (dimension) {
     case 2:
@@ -243,7 +237,7 @@ Kernel<Scalar> of_dimension(std::size_t dimension) {
     }
 }
 
-template <typename Scalar>
+template<typename Scalar>
 Kernel<Scalar> of_width(std::size_t width, std::size_t dimension) {
     switch (width) {
     case 2:

@@ -8,11 +8,11 @@
 
 namespace internode {
 
-template <typename Scalar>
+template<typename Scalar>
 [[nodiscard]] Kernel<Scalar> plain_kernel(std::size_t width, std::size_t dimension);
 
 /// Only where the build has AVX2: INTERNODE_HAS_AVX2.
-template <typename Scalar>
+template<typename Scalar>
 [[nodiscard]] Kernel<Scalar> avx2_kernel(std::size_t width, std::size_t dimension);
 
 } // namespace internode

@@ -3,6 +3,7 @@
 #include "internode/stencil/plan.h"
 
 #include "internode/stencil/block_run.h"
+#include "internode/stencil/coordinate_buffer.h"
 
 #include <algorithm>
 #include <numeric>
@@ -11,18 +12,27 @@
 namespace internode {
 namespace {
 
-/// A row of a fused table takes as long as about so many points take: measured, cubic (bench/).
-constexpr std::uint64_t points_per_row = 256;
 /// The points before the last block are at most this part of the output, where tables allow it (docs/promises.md, P4).
 constexpr std::uint64_t least_growth = 12;
 
-/// The sizes after 0 … steps steps from these cells.
-std::vector<std::uint64_t> level_sizes(const StencilAutomaton& automaton, const std::vector<std::uint32_t>& cells,
-                                       int steps) {
+/// Which states occur after 0, 1, … steps, and how many cells there are.
+struct Levels {
+    std::vector<std::uint64_t> sizes;
+    std::vector<std::vector<bool>> occupied;
+};
+
+std::vector<bool> present(const std::vector<std::uint64_t>& cells_of) {
+    std::vector<bool> result;
+    result.reserve(cells_of.size());
+    for (const std::uint64_t count : cells_of) result.push_back(count > 0);
+    return result;
+}
+
+Levels levels_of(const StencilAutomaton& automaton, const std::vector<std::uint32_t>& cells, int steps) {
     constexpr std::uint64_t most = std::uint64_t{1} << 62;
     std::vector<std::uint64_t> cells_of(automaton.state_count());
     for (const std::uint32_t state : cells) ++cells_of[state];
-    std::vector<std::uint64_t> sizes{cells.size()};
+    Levels levels{{cells.size()}, {present(cells_of)}};
     for (int step = 0; step < steps; ++step) {
         std::vector<std::uint64_t> next(cells_of.size());
         std::uint64_t total = 0;
@@ -33,53 +43,77 @@ std::vector<std::uint64_t> level_sizes(const StencilAutomaton& automaton, const 
                 if (total > most) throw std::length_error("a refinement to more than 2^62 points");
             }
         cells_of = std::move(next);
-        sizes.push_back(total);
+        levels.sizes.push_back(total);
+        levels.occupied.push_back(present(cells_of));
     }
-    return sizes;
+    return levels;
 }
 
 /// Chooses how many steps go together.
 class BlockChoice {
 public:
-    BlockChoice(const StencilAutomaton& automaton, const PlanOptions& options, int steps)
-        : options_(options)
-        , width_(automaton.width()) {
-        DescendantCounts counts(automaton);
-        const int most = std::min(steps, std::max(options.most_fused_steps, 1));
-        for (int step = 0; step < most; ++step) {
-            counts.step();
-            rows_.push_back(counts.total());
-            // What no table can hold needs no counting.
-            if (rows_.back() > std::uint64_t{1} << 32) break;
-        }
-    }
+    BlockChoice(const StencilAutomaton& automaton, const Levels& levels, const PlanOptions& options)
+        : automaton_(automaton)
+        , levels_(levels)
+        , options_(options) {}
 
-    /// The steps of the block that ends with so many points after `level` steps.
-    [[nodiscard]] int last_block(const std::vector<std::uint64_t>& sizes, int level) const {
-        const auto most = static_cast<std::size_t>(std::min<int>(level, static_cast<int>(rows_.size())));
-        const auto end = static_cast<std::size_t>(level);
+    /// The steps of the block that ends after `level` steps: as many as its table allows, and more where the points
+    /// before it would be a large part of the output.
+    [[nodiscard]] int last_block(std::size_t level) const {
+        const std::size_t most = std::min<std::size_t>(level, static_cast<std::size_t>(options_.most_fused_steps));
+        std::vector<std::uint64_t> descendants(automaton_.state_count(), 1);
+        advance(descendants);
         std::size_t chosen = 1;
-        while (chosen < most && fits_cache(rows_[chosen]) && pays(rows_[chosen], sizes[end])) ++chosen;
-        while (chosen < most && sizes[end] / least_growth < sizes[end - chosen] && is_small(rows_[chosen], sizes[end]))
+        while (chosen < most) {
+            advance(descendants);
+            const std::uint64_t rows = rows_of(descendants, level - chosen - 1);
+            const bool is_free = fits_cache(rows) && pays(rows, levels_.sizes[level]);
+            const bool is_needed = levels_.sizes[level] / least_growth < levels_.sizes[level - chosen] &&
+                                   is_small(rows, levels_.sizes[level]);
+            if (!is_free && !is_needed) break;
             ++chosen;
+        }
         return static_cast<int>(chosen);
     }
 
 private:
-    [[nodiscard]] bool fits_cache(std::uint64_t rows) const {
-        return rows * width_ * sizeof(double) <= options_.table_bytes;
+    void advance(std::vector<std::uint64_t>& descendants) const {
+        std::vector<std::uint64_t> next(descendants.size());
+        for (std::uint32_t state = 0; state < descendants.size(); ++state)
+            for (const StencilAutomaton::Child& child : automaton_.children(state))
+                next[state] = std::min(most_rows, next[state] + descendants[child.state]);
+        descendants = std::move(next);
     }
-    [[nodiscard]] static bool pays(std::uint64_t rows, std::uint64_t points) { return rows * points_per_row <= points; }
-    /// Against the output, which has at least one coordinate a point.
-    [[nodiscard]] bool is_small(std::uint64_t rows, std::uint64_t points) const { return rows * width_ * 32 <= points; }
 
+    [[nodiscard]] std::uint64_t rows_of(const std::vector<std::uint64_t>& descendants, std::size_t level) const {
+        std::uint64_t rows = 0;
+        for (std::size_t state = 0; state < descendants.size(); ++state)
+            if (levels_.occupied[level][state]) rows = std::min(most_rows, rows + descendants[state]);
+        return rows;
+    }
+
+    [[nodiscard]] bool fits_cache(std::uint64_t rows) const {
+        return rows * automaton_.width() * sizeof(double) <= options_.table_bytes;
+    }
+    [[nodiscard]] bool pays(std::uint64_t rows, std::uint64_t points) const {
+        return rows * options_.points_per_row <= points;
+    }
+    /// Against the output, which has at least one coordinate a point.
+    [[nodiscard]] bool is_small(std::uint64_t rows, std::uint64_t points) const {
+        return rows * automaton_.width() * 32 <= points;
+    }
+
+    static constexpr std::uint64_t most_rows = std::uint64_t{1} << 40; // no table has as many
+    const StencilAutomaton& automaton_;
+    const Levels& levels_;
     PlanOptions options_;
-    std::size_t width_;
-    std::vector<std::uint64_t> rows_; ///< of the table of 1, 2, … steps
 };
 
-std::shared_ptr<const FusedStencils> shared(FusedStencils stencils) {
-    return std::make_shared<const FusedStencils>(std::move(stencils));
+/// The table of a block; none where it would not be precise.
+std::shared_ptr<const FusedStencils> table_of(const StencilAutomaton& automaton, const IntervalSystem& system,
+                                              int steps, const std::vector<bool>& wanted) {
+    std::optional<FusedStencils> made = fuse(automaton, system, steps, wanted);
+    return made ? std::make_shared<const FusedStencils>(*std::move(made)) : nullptr;
 }
 
 /// Output sizes are multiplied by dimensions that come from the caller.
@@ -98,23 +132,18 @@ RefinementPlan::RefinementPlan(const IntervalSystem& system, int degree, WordVie
     automaton_ = std::make_shared<const StencilAutomaton>(make_automaton(system, degree, states, options.state_limit));
     cells_.reserve(states.size());
     for (const CellState& state : states) cells_.push_back(automaton_->find(state));
-    sizes_ = level_sizes(*automaton_, cells_, steps);
+    Levels levels = levels_of(*automaton_, cells_, steps);
 
-    const BlockChoice choice(*automaton_, options, steps);
+    const BlockChoice choice(*automaton_, levels, options);
     for (int level = steps; level > 0;) {
-        int count = choice.last_block(sizes_, level);
-        auto stencils = table_of(system, count);
-        if (stencils == nullptr) stencils = table_of(system, count = 1);
+        int count = choice.last_block(static_cast<std::size_t>(level));
+        const auto wanted = [&] { return levels.occupied[static_cast<std::size_t>(level - count)]; };
+        auto stencils = table_of(*automaton_, system, count, wanted());
+        if (stencils == nullptr) stencils = table_of(*automaton_, system, count = 1, wanted());
         level -= count;
         blocks_.insert(blocks_.begin(), {level, stencils});
     }
-}
-
-std::shared_ptr<const FusedStencils> RefinementPlan::table_of(const IntervalSystem& system, int steps) {
-    for (const Block& block : blocks_)
-        if (block.stencils->steps == steps) return block.stencils;
-    std::optional<FusedStencils> made = fuse(*automaton_, system, steps);
-    return made ? shared(*std::move(made)) : nullptr;
+    sizes_ = std::move(levels.sizes);
 }
 
 std::vector<int> RefinementPlan::blocks() const {
@@ -134,7 +163,7 @@ std::uint64_t RefinementPlan::work_bytes(std::size_t dimension, std::size_t scal
     return most;
 }
 
-template <typename Scalar>
+template<typename Scalar>
 void RefinementPlan::apply(std::span<const Scalar> points, std::size_t dimension, std::span<Scalar> out,
                            const ApplyOptions& options) const {
     if (points.size() != coordinates(input_size(), dimension) || out.size() != coordinates(output_size(), dimension))
@@ -144,19 +173,18 @@ void RefinementPlan::apply(std::span<const Scalar> points, std::size_t dimension
         return;
     }
     CellArray cells(cells_, automaton_->state_count());
-    std::unique_ptr<Scalar[]> before;
+    CoordinateBuffer<Scalar> before;
     const Scalar* parents = points.data();
     for (const Block& block : blocks_) {
         const auto level = static_cast<std::size_t>(block.first_step);
         const bool last = &block == &blocks_.back();
         const std::uint64_t count = sizes_[level + static_cast<std::size_t>(block.stencils->steps)];
-        // for_overwrite: every coordinate is written by the block.
-        std::unique_ptr<Scalar[]> after;
-        if (!last) after = std::make_unique_for_overwrite<Scalar[]>(coordinates(count, dimension));
-        run_block<Scalar>(*block.stencils, cells, {parents, dimension}, last ? out.data() : after.get(), options);
+        CoordinateBuffer<Scalar> after;
+        if (!last) after = CoordinateBuffer<Scalar>(coordinates(count, dimension));
+        run_block<Scalar>(*block.stencils, cells, {parents, dimension}, last ? out.data() : after.data(), options);
         if (!last) cells = cells.refined(*block.stencils, count);
         before = std::move(after);
-        parents = before.get();
+        parents = before.data();
     }
 }
 

@@ -2,10 +2,10 @@
 //
 // Everything about refining by `steps` steps that does not depend on the points: derived once, applied to any polygon.
 //
-// The steps are cut into blocks of fused steps (stencil/fused_stencils.h) whose tables fit a cache; each block reads the
-// points of the block before and writes its own once, so the memory beside input and output is the input of the last
-// block. Blocks depend on the word, the steps and the options, never on the machine: the bytes of the result are the
-// same for any number of threads, any partition of the work and any instruction set (docs/promises.md, P9 and P10).
+// The steps are cut into blocks of fused steps (stencil/fused_stencils.h) whose tables fit a cache; each block reads
+// the points of the block before and writes its own once, so the memory beside input and output is the input of the
+// last block. Blocks depend on the word, the steps and the options, never on the machine: the bytes of the result are
+// the same for any number of threads, any partition of the work and any instruction set (docs/promises.md, P9 and P10).
 // Different blocks round differently, in the last bits.
 
 #pragma once
@@ -22,6 +22,7 @@ namespace internode {
 
 struct PlanOptions {
     std::size_t table_bytes = 24 * 1024; ///< of the weights of a block: beside a stage, in a first cache of 32 KiB
+    std::uint64_t points_per_row = 256;  ///< that a block writes for a row of its table to pay: what deriving one takes
     int most_fused_steps = 64;           ///< 1: step by step, with exact rows rounded once
     std::size_t state_limit = max_states;
 };
@@ -52,7 +53,7 @@ public:
 
     /// The refined points: `points` has input_size() rows of `dimension` coordinates, `out` output_size(). Scalar is
     /// double or float. \throw std::invalid_argument for other sizes
-    template <typename Scalar>
+    template<typename Scalar>
     void apply(std::span<const Scalar> points, std::size_t dimension, std::span<Scalar> out,
                const ApplyOptions& options = {}) const;
 
@@ -61,9 +62,6 @@ private:
         int first_step = 0;
         std::shared_ptr<const FusedStencils> stencils;
     };
-
-    /// Derived, or that of a block already chosen; null when it would not be precise.
-    std::shared_ptr<const FusedStencils> table_of(const IntervalSystem& system, int steps);
 
     std::shared_ptr<const StencilAutomaton> automaton_;
     std::vector<std::uint32_t> cells_; ///< state of each cell of the word

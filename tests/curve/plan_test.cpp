@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+//
+// stencil/plan.h against curve/refinement.h, its slow and obvious reference.
+
+#include "internode/curve/refinement.h"
+#include "tests/reference/random_curve.h"
+#include "tests/reference/small_grammars.h"
+#include "tests/reference/systems.h"
+
+#include <cmath>
+#include <cstring>
+#include <gtest/gtest.h>
+#include <numeric>
+#include <oneapi/tbb/global_control.h>
+
+namespace internode {
+namespace {
+
+using reference::all_shapes;
+using reference::bundled_systems;
+using reference::curve_of;
+using reference::Random;
+using reference::random_curve;
+using reference::small_grammars;
+using reference::system_of;
+
+#ifdef INTERNODE_SANITIZED
+constexpr std::size_t stride = 50;
+#else
+constexpr std::size_t stride = 1;
+#endif
+
+/// Random points over a word that goes round, or with d zeros at each end.
+Curve curve_over(const IntervalSystem& system, int degree, Ends ends, std::size_t letters, std::size_t dimension,
+                 std::uint32_t seed) {
+    Random random(seed);
+    Word symbols;
+    for (std::size_t i = 0; i < system.alphabet().size(); ++i)
+        if (system.occurs(to_symbol(i))) symbols.push_back(to_symbol(i));
+    Word word;
+    for (std::size_t i = 0; i < letters; ++i) word.push_back(symbols[random.below(symbols.size())]);
+    std::size_t points = letters;
+    if (ends == Ends::Open) {
+        word = clamped(word, degree);
+        points += static_cast<std::size_t>(degree);
+    }
+    CurveData data{degree, ends, word, dimension, {}};
+    for (std::size_t i = 0; i < points * dimension; ++i) data.points.push_back(random.coordinate());
+    return curve_of(system, std::move(data));
+}
+
+std::vector<double> step_by_step(const Curve& curve, int steps) {
+    Refinement refinement(curve);
+    for (int step = 0; step < steps; ++step) refinement.step();
+    return refinement.curve().points();
+}
+
+std::vector<double> planned(const Curve& curve, int steps, const PlanOptions& plan_options = {},
+                            const ApplyOptions& options = {}) {
+    const RefinementPlan plan = refinement_plan(curve.knots(), steps, plan_options);
+    std::vector<double> out(plan.output_size() * curve.dimension());
+    plan.apply<double>(curve.points(), curve.dimension(), out, options);
+    return out;
+}
+
+bool same_bytes(const std::vector<double>& a, const std::vector<double>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+    EXPECT_EQ(a.size(), b.size());
+    double worst = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) worst = std::max(worst, std::abs(a[i] - b[i]));
+    return worst;
+}
+
+/// Fuses as much as it can, however small the curve.
+PlanOptions eager() {
+    PlanOptions options;
+    options.table_bytes = std::size_t{1} << 24;
+    options.points_per_row = 0;
+    options.most_fused_steps = 1000;
+    return options;
+}
+
+PlanOptions single_steps() {
+    PlanOptions options;
+    options.most_fused_steps = 1;
+    return options;
+}
+
+TEST(Plan, IsTheStepByStepRefinementForAllSmallGrammars) {
+    std::size_t taken = 0;
+    std::uint32_t seed = 0;
+    for (const IntervalGrammar& grammar : small_grammars(3, 3)) {
+        if (taken++ % stride != 0) continue;
+        const Verdict verdict = validate(grammar);
+        if (!verdict.system) continue;
+        ++seed;
+        const Ends ends = seed % 2 == 0 ? Ends::Circular : Ends::Open;
+        const Curve curve = curve_over(*verdict.system, 1 + static_cast<int>(seed % 5), ends, 1 + seed % 6, 2, seed);
+        const std::vector<double> expected = step_by_step(curve, 3);
+        EXPECT_TRUE(same_bytes(planned(curve, 3, single_steps()), expected)) << "grammar " << taken;
+        EXPECT_LE(largest_difference(planned(curve, 3, eager()), expected), 1e-14) << "grammar " << taken;
+    }
+    EXPECT_GT(seed, 100U);
+}
+
+TEST(Plan, IsTheStepByStepRefinementForRandomCurves) {
+    Random random(3);
+    for (int time = 0; time < 60; ++time)
+        for (const auto& shape : all_shapes) {
+            const int degree = 1 + static_cast<int>(random.below(6));
+            const Curve curve =
+                random_curve(random, reference::random_system(random), degree, shape, 6, 1 + random.below(5));
+            const std::vector<double> expected = step_by_step(curve, 4);
+            EXPECT_TRUE(same_bytes(planned(curve, 4, single_steps()), expected));
+            EXPECT_LE(largest_difference(planned(curve, 4), expected), 1e-13);
+            EXPECT_LE(largest_difference(planned(curve, 4, eager()), expected), 1e-13);
+        }
+}
+
+TEST(Plan, FusesManyStepsOfBundledGrammars) {
+    for (const auto& [name, system] : bundled_systems()) {
+        const Curve curve = curve_over(system, 3, Ends::Circular, 7, 3, 5);
+        int steps = 0;
+        while (refined_size(curve, static_cast<std::uint64_t>(steps) + 1, 20'000).exceeded == false) ++steps;
+        const RefinementPlan plan = refinement_plan(curve.knots(), steps, eager());
+        EXPECT_EQ(plan.blocks(), std::vector<int>{steps}) << name;
+        EXPECT_LE(largest_difference(planned(curve, steps, eager()), step_by_step(curve, steps)), 1e-13) << name;
+    }
+}
+
+TEST(Plan, GivesTheSameBytesForAnyThreadsAndGrain) {
+    // More threads than this machine may have cores.
+    const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, 16);
+    const IntervalSystem system = system_of("L->SL, S->L");
+    for (const Ends ends : {Ends::Circular, Ends::Open})
+        for (const std::size_t dimension : {1, 2, 3, 5}) {
+            const Curve curve = curve_over(system, 3, ends, 60, dimension, 7);
+            for (const PlanOptions& plan : {PlanOptions{}, eager(), single_steps()}) {
+                const std::vector<double> expected = planned(curve, 11, plan);
+                for (const int threads : {1, 2, 3, 7, 16, 0})
+                    for (const std::size_t grain : {1, 1000, 65536})
+                        EXPECT_TRUE(same_bytes(planned(curve, 11, plan, {threads, Isa::Best, grain}), expected))
+                            << threads << " threads, grain " << grain;
+                EXPECT_TRUE(same_bytes(planned(curve, 11, plan, {1, Isa::Plain, 500}), expected));
+            }
+        }
+}
+
+TEST(Plan, KeepsTheBytesOfLargeOutputsInAnySet) {
+    // Past the caches, and by two threads.
+    const Curve curve = curve_over(system_of("A->AA"), 3, Ends::Circular, 9, 3, 8);
+    const int steps = 18;
+    EXPECT_TRUE(same_bytes(planned(curve, steps), planned(curve, steps, {}, {2, Isa::Plain, 12345})));
+}
+
+TEST(Plan, RefinesFloatsToTheirPrecision) {
+    const Curve curve = curve_over(system_of("L->SL, S->L"), 4, Ends::Circular, 30, 3, 9);
+    const RefinementPlan plan = refinement_plan(curve.knots(), 8);
+    const std::vector<float> points(curve.points().begin(), curve.points().end());
+    std::vector<float> out(plan.output_size() * 3);
+    plan.apply<float>(points, 3, out);
+    const std::vector<double> expected = planned(curve, 8);
+    for (std::size_t i = 0; i < out.size(); ++i) EXPECT_NEAR(out[i], expected[i], 1e-6);
+    std::vector<float> plain(out.size());
+    plan.apply<float>(points, 3, plain, {3, Isa::Plain, 100});
+    EXPECT_EQ(std::memcmp(plain.data(), out.data(), out.size() * sizeof(float)), 0);
+}
+
+TEST(Plan, UsesStatesOfOneTwoAndFourBytes) {
+    // n symbols that never meet again: 2d-1 windows and more for each.
+    for (const std::size_t symbols : {3, 80, 300}) {
+        std::string text;
+        for (std::size_t i = 0; i < symbols; ++i)
+            text += "A" + std::to_string(i) + " -> A" + std::to_string(i) + " A" + std::to_string(i) + "\n";
+        const IntervalSystem system = system_of("intervals many\n" + text);
+        Word word;
+        for (std::size_t i = 0; i < symbols; ++i) word.push_back(to_symbol(i));
+        CurveData data{3, Ends::Circular, word, 2, {}};
+        for (std::size_t i = 0; i < 2 * symbols; ++i) data.points.push_back(std::sin(static_cast<double>(i)));
+        const Curve curve = curve_of(system, std::move(data));
+        EXPECT_TRUE(same_bytes(planned(curve, 3, single_steps()), step_by_step(curve, 3))) << symbols;
+    }
+}
+
+TEST(Plan, SaysItsSizes) {
+    const Curve curve = curve_over(system_of("L->SL, S->L"), 2, Ends::Circular, 30, 3, 9);
+    const RefinementPlan plan = refinement_plan(curve.knots(), 12);
+    EXPECT_EQ(plan.input_size(), 30U);
+    EXPECT_EQ(plan.output_size(), refined_size(curve, 12, 1'000'000).points);
+    const std::vector<int> blocks = plan.blocks();
+    EXPECT_EQ(std::accumulate(blocks.begin(), blocks.end(), 0), 12);
+    EXPECT_EQ(plan.sizes().size(), 13U);
+}
+
+TEST(Plan, NeedsLittleMemoryBesideTheOutput) {
+    for (const auto& [name, system] : bundled_systems()) {
+        const Curve curve = curve_over(system, 3, Ends::Circular, 40, 3, 5);
+        int steps = 0;
+        while (!refined_size(curve, static_cast<std::uint64_t>(steps) + 1, 3'000'000).exceeded) ++steps;
+        const RefinementPlan plan = refinement_plan(curve.knots(), steps);
+        EXPECT_LE(plan.work_bytes(3, sizeof(double)), plan.output_size() * 3 * sizeof(double) * 15 / 100) << name;
+    }
+}
+
+TEST(Plan, OfNoStepsCopies) {
+    const Curve curve = curve_over(system_of("L->SL, S->L"), 2, Ends::Circular, 5, 3, 9);
+    EXPECT_EQ(planned(curve, 0), curve.points());
+    EXPECT_TRUE(refinement_plan(curve.knots(), 0).blocks().empty());
+}
+
+TEST(Plan, RefusesWrongSizes) {
+    const Curve curve = curve_over(system_of("L->SL, S->L"), 2, Ends::Circular, 5, 3, 9);
+    EXPECT_THROW((void)refinement_plan(curve.knots(), -1), std::invalid_argument);
+    const RefinementPlan plan = refinement_plan(curve.knots(), 2);
+    std::vector<double> out(plan.output_size() * 3);
+    const std::vector<double> few(3);
+    EXPECT_THROW(plan.apply<double>(few, 3, out), std::invalid_argument);
+    EXPECT_THROW(plan.apply<double>(curve.points(), 0, out), std::invalid_argument);
+    EXPECT_THROW(plan.apply<double>(curve.points(), 3, std::span(out).first(3)), std::invalid_argument);
+    PlanOptions few_states;
+    few_states.state_limit = 2;
+    EXPECT_THROW((void)refinement_plan(curve.knots(), 2, few_states), TooManyStates);
+    EXPECT_THROW((void)refinement_plan(curve.knots(), 1000), std::length_error);
+}
+
+} // namespace
+} // namespace internode

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/stencil/fused_stencils.h"
+
+#include "tests/reference/systems.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace internode {
+namespace {
+
+using reference::bundled_systems;
+using reference::sample_systems;
+using reference::system_of;
+using reference::word_of;
+
+#ifdef INTERNODE_SANITIZED
+constexpr int highest_degree = 3;
+constexpr std::size_t most_rows = 400;
+#else
+constexpr int highest_degree = 5;
+constexpr std::size_t most_rows = 4000;
+#endif
+
+std::vector<bool> every(const StencilAutomaton& automaton) {
+    return std::vector<bool>(automaton.state_count(), true);
+}
+
+/// A word with all symbols that occur, closed, and one with zeros at its ends.
+std::vector<CellState> some_cells(const IntervalSystem& system, int degree) {
+    Word word;
+    for (std::size_t i = 0; i < system.alphabet().size(); ++i)
+        if (system.occurs(to_symbol(i))) word.insert(word.end(), 2, to_symbol(i));
+    std::vector<CellState> cells = cell_states(word, degree, Ends::Circular);
+    Word clamped(static_cast<std::size_t>(degree), zero_interval);
+    clamped.insert(clamped.end(), word.begin(), word.end());
+    clamped.insert(clamped.end(), static_cast<std::size_t>(degree), zero_interval);
+    const std::vector<CellState> ends = cell_states(clamped, degree, Ends::Open);
+    cells.insert(cells.end(), ends.begin(), ends.end());
+    return cells;
+}
+
+/// Each weight against the exact one of the automaton of σᵏ: within the rounding of the nearest double.
+void check_against_exact(const IntervalSystem& system, int degree, int steps, const std::string& name) {
+    SCOPED_TRACE(name + ", degree " + std::to_string(degree) + ", steps " + std::to_string(steps));
+    const StencilAutomaton automaton = make_automaton(system, degree, some_cells(system, degree), max_states);
+    const auto fused = fuse(automaton, system, steps, every(automaton));
+    ASSERT_TRUE(fused.has_value());
+    if (fused->row_count() > most_rows) return;
+    const IntervalSystem whole = power(system, steps);
+    const StencilAutomaton exact = make_automaton(whole, degree, some_cells(system, degree), max_states);
+    for (std::uint32_t state = 0; state < automaton.state_count(); ++state) {
+        std::uint32_t same = 0;
+        try {
+            same = exact.find(automaton.state(state));
+        } catch (const std::out_of_range&) {
+            continue; // met only between the steps
+        }
+        const auto children = exact.children(same);
+        ASSERT_EQ(fused->rows(state), children.size());
+        for (std::size_t i = 0; i < children.size(); ++i) {
+            const std::size_t row = fused->first_row[state] + i;
+            EXPECT_EQ(automaton.state(fused->descendants[row]), exact.state(children[i].state));
+            const auto weights = exact.weights(children[i].row);
+            for (std::size_t k = 0; k < weights.size(); ++k) {
+                const double got = fused->weights[row * weights.size() + k];
+                // Half a unit in the last place, and what 106 bits leave of an amplified 0.
+                EXPECT_LE(std::abs(got - weights[k]), 0x1p-53 * weights[k] + 0x1p-60) << "row " << row;
+            }
+        }
+    }
+}
+
+TEST(FusedStencils, AreTheRowsOfTheAutomatonOfThePower) {
+    for (const auto& [name, text] : sample_systems())
+        for (int degree = 1; degree <= highest_degree; ++degree)
+            for (const int steps : {1, 2, 3, 4}) check_against_exact(system_of(text), degree, steps, name);
+}
+
+TEST(FusedStencils, AreTheRowsOfTheAutomatonOfThePowerForBundledGrammars) {
+    for (const auto& [name, system] : bundled_systems())
+        for (const int steps : {2, 3}) check_against_exact(system, 3, steps, name);
+}
+
+TEST(FusedStencils, SumToOneWithinTheRoundingOfEachWeight) {
+    for (const auto& [name, text] : sample_systems())
+        for (int degree = 1; degree <= 8; ++degree) {
+            const IntervalSystem system = system_of(text);
+            const StencilAutomaton automaton = make_automaton(system, degree, some_cells(system, degree), max_states);
+            const auto fused = fuse(automaton, system, 5, every(automaton));
+            ASSERT_TRUE(fused.has_value()) << name;
+            for (std::size_t row = 0; row < fused->row_count(); ++row) {
+                double sum = 0;
+                for (std::size_t k = 0; k < fused->width; ++k) sum += fused->weights[row * fused->width + k];
+                EXPECT_NEAR(sum, 1, degree * std::numeric_limits<double>::epsilon()) << name << " " << degree;
+            }
+        }
+}
+
+TEST(FusedStencils, KeepOnlyTheStatesThatAreWanted) {
+    const IntervalSystem system = system_of("L->SL, S->L");
+    const StencilAutomaton automaton =
+        make_automaton(system, 3, cell_states(word_of(system, "LSLLS"), 3, Ends::Circular), max_states);
+    std::vector<bool> wanted(automaton.state_count());
+    wanted[1] = true;
+    const auto some = fuse(automaton, system, 4, wanted);
+    const auto all = fuse(automaton, system, 4, every(automaton));
+    ASSERT_TRUE(some && all);
+    EXPECT_EQ(some->row_count(), all->rows(1));
+    const auto first = all->weights.begin() + static_cast<std::ptrdiff_t>(all->first_row[1] * all->width);
+    EXPECT_TRUE(std::equal(some->weights.begin(), some->weights.end(), first));
+}
+
+TEST(FusedStencils, SayWhenLengthsAreTooUneven) {
+    // An interval beside one 10^12 times as long: at degree 5 the blossom leaves its interval by too much.
+    const IntervalSystem system = system_of("A->AA, B->BB\nlength A = 1\nlength B = 1000000000000");
+    const StencilAutomaton automaton =
+        make_automaton(system, 5, cell_states(word_of(system, "AABBBAB"), 5, Ends::Circular), max_states);
+    EXPECT_TRUE(fuse(automaton, system, 1, every(automaton)).has_value());
+    EXPECT_FALSE(fuse(automaton, system, 2, every(automaton)).has_value());
+}
+
+TEST(FusedStencils, RefuseNoStepsAndAWrongWish) {
+    const IntervalSystem system = system_of("A->AA");
+    const StencilAutomaton automaton =
+        make_automaton(system, 2, cell_states(word_of(system, "AAA"), 2, Ends::Circular), max_states);
+    EXPECT_THROW((void)fuse(automaton, system, 0, every(automaton)), std::invalid_argument);
+    EXPECT_THROW((void)fuse(automaton, system, 1, {}), std::invalid_argument);
+}
+
+} // namespace
+} // namespace internode
