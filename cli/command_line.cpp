@@ -151,6 +151,7 @@ void Reader::add_polygon(CLI::App* app, PolygonOptions& polygon) {
         "The word is the domain's (N-d letters); d zeros are put at each end");
     closed->excludes(open)->excludes(clamped);
     open->excludes(clamped);
+    app->add_flag("--rational", polygon.rational, "The last coordinate of a point is its weight (JSON: \"weights\")");
     add_count(app, "--max-points", polygon.max_points, "Refuse more points than this (default 100000000)");
 }
 

@@ -37,7 +37,7 @@ ExitCode run(const ConvergeOptions& options, const Context& context) {
     if (options.html == "-" && options.output.file == "-")
         throw failure(ExitCode::Usage, "report and page cannot both go to stdout", "give one of them a file");
     const IntervalSystem system = load_system(options.grammar);
-    const LoadedCurve loaded = load_curve(system, options.polygon);
+    const LoadedCurve loaded = load_polynomial_curve(system, options.polygon);
     if (refined_size(loaded.curve, options.steps, options.polygon.max_points).exceeded)
         throw failure(ExitCode::Refused,
                       fmt::format("{} steps give more than {} points", options.steps, options.polygon.max_points),

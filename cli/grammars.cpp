@@ -28,6 +28,7 @@ std::string grammar_list() {
     std::string text;
     for (const BundledGrammar& grammar : bundled_grammars())
         text += fmt::format("@{:<{}}  {}\n", grammar.name, width, source_line(grammar.text));
+    text += "\nA grammar of one symbol, like @bisection, serves any knot vector: one symbol per distinct length.\n";
     return text;
 }
 

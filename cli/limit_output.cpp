@@ -51,10 +51,13 @@ void refuse_what_doubles_cannot_hold(const LimitFrames& frames) {
 
 } // namespace
 
-void write_limit(Sink& sink, const std::string& format, const Refinement& refinement,
+void write_limit(Sink& sink, const std::string& format, const Refinement& refinement, Coordinates coordinates,
                  const std::vector<std::string>& names) {
-    const LimitPoints limit = limit_points(refinement);
-    const std::size_t dimension = refinement.curve().dimension();
+    LimitPoints limit = limit_points(refinement);
+    const bool is_rational = coordinates == Coordinates::Homogeneous;
+    const std::size_t width = refinement.curve().dimension();
+    const std::size_t dimension = is_rational ? width - 1 : width;
+    if (is_rational) limit.points = projected_points(limit.points, width);
     const PointsView points{dimension, limit.points};
     if (format == "csv") {
         CsvOptions csv;

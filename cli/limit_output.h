@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include "internode/curve/homogeneous.h"
 #include "internode/curve/refinement.h"
 #include "internode/io/sink.h"
 
@@ -13,7 +14,8 @@
 namespace internode::cli {
 
 /// --limit: the parameter in front of each point in CSV and NPY, the points alone in OBJ; `names` of the coordinates.
-void write_limit(Sink& sink, const std::string& format, const Refinement& refinement,
+/// Homogeneous points are divided by their weights, which are left out.
+void write_limit(Sink& sink, const std::string& format, const Refinement& refinement, Coordinates coordinates,
                  const std::vector<std::string>& names);
 
 /// --limit --derivatives, in CSV and NPY: t, x …, dx …, ddx …, tx … (unit tangent), curvature. Where the curve has no

@@ -59,6 +59,7 @@ struct PolygonOptions {
     std::string word; ///< --word; empty = the JSON's, or the axiom
     bool repeat = false;
     EndsOption ends = EndsOption::Unsaid;
+    bool rational = false; ///< --rational: the last coordinate is the weight
     std::uint64_t max_points = 100'000'000;
 };
 

@@ -4,6 +4,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/load.h"
+#include "cli/symbols.h"
 #include "internode/grammar/diagnostic.h"
 #include "internode/io/polygon.h"
 
@@ -41,25 +42,9 @@ int settled_degree(const PolygonOptions& options, const InputPolygon& polygon) {
     return static_cast<int>(*polygon.degree);
 }
 
-Diagnostic at(const PlacedText& text, const InputPolygon& polygon, std::string message, std::string hint) {
-    Diagnostic diagnostic;
-    diagnostic.source = polygon.source;
-    diagnostic.line = text.place.line;
-    diagnostic.column = text.place.column;
-    diagnostic.message = std::move(message);
-    diagnostic.hint = std::move(hint);
-    return diagnostic;
-}
-
 std::optional<Symbol> symbol_named(const PlacedText& letter, const Alphabet& alphabet) {
     if (letter.text == "0") return zero_interval;
     return alphabet.find(letter.text);
-}
-
-Diagnostic unknown_symbol(const PlacedText& letter, const InputPolygon& polygon, const Alphabet& alphabet) {
-    const std::string meant = did_you_mean(letter.text, alphabet.names());
-    return at(letter, polygon, fmt::format("`{}` is no symbol of the grammar", letter.text),
-              meant.empty() ? std::string() : fmt::format("did you mean `{}`?", meant));
 }
 
 /// The word that the JSON gives, as an array of names or as a text.
@@ -79,7 +64,7 @@ std::optional<SaidWord> polygon_word(const InputPolygon& polygon, const Alphabet
         if (const auto symbol = symbol_named(letter, alphabet))
             said.axiom.word.push_back(*symbol);
         else
-            errors.push_back(unknown_symbol(letter, polygon, alphabet));
+            errors.push_back(unknown_symbol(letter, polygon.source, alphabet));
     }
     if (!errors.empty()) throw Failure(ExitCode::Refused, to_string(errors));
     return said;
@@ -152,62 +137,104 @@ void refuse_repeated_point(const InputPolygon& polygon) {
                       "a closed polygon joins them by itself: drop the last point");
 }
 
-/// The system with the lengths that the JSON fixes.
-IntervalSystem fixed_lengths(const IntervalSystem& system, const InputPolygon& polygon) {
-    if (polygon.lengths.empty()) return system;
-    std::vector<FixedLength> lengths;
-    std::vector<Diagnostic> errors;
-    for (const InputLength& length : polygon.lengths) {
-        const auto symbol = system.alphabet().find(length.symbol.text);
-        if (!symbol)
-            errors.push_back(unknown_symbol(length.symbol, polygon, system.alphabet()));
-        else if (length.coefficients.size() > system.field().degree())
-            errors.push_back(at(length.symbol, polygon,
-                                fmt::format("the length of `{}` has {} coefficients, but the field has degree {}",
-                                            length.symbol.text, length.coefficients.size(), system.field().degree()),
-                                {}));
-        else
-            lengths.push_back({*symbol, Number(system.field(), length.coefficients)});
-    }
-    if (!errors.empty()) throw Failure(ExitCode::Refused, to_string(errors));
-    FixedLengths fixed = with_lengths(system, lengths);
-    if (fixed.system) return *std::move(fixed.system);
-    std::string text;
-    for (const LengthConflict& conflict : fixed.conflicts)
-        text += fmt::format("{}: error: {}\n", printable(polygon.source), printable(conflict.message));
-    text += "hint: one length per final class is enough, the others follow; \"exact\" takes numbers of the field\n";
-    throw Failure(ExitCode::Refused, text);
+/// What knots, or a word and lengths, come to.
+struct Labels {
+    IntervalSystem system;
+    Word word;
+    EndsOption ends = EndsOption::Open;
+    std::string origin; ///< of a word that --repeat could repeat; else empty
+};
+
+Labels labels_of_word(const IntervalSystem& system, const PolygonOptions& options, const InputPolygon& polygon,
+                      int degree) {
+    const SaidWord said = settled_word(system, options, polygon);
+    const EndsOption ends = settled_ends(options, polygon, said);
+    return {system, fitted_word(said, options, ends, polygon.size(), degree), ends,
+            options.repeat ? std::string() : said.origin};
+}
+
+Labels labels_of_knots(const IntervalSystem& system, const PolygonOptions& options, const InputPolygon& polygon,
+                       int degree) {
+    if (!options.word.empty() || options.repeat || options.ends == EndsOption::Clamped)
+        throw failure(ExitCode::Refused,
+                      fmt::format("the knots of {} leave nothing to --word, --repeat and --clamped", polygon.source));
+    const EndsOption ends = settled_ends(options, polygon, {});
+    KnotWord knots = word_of_knots(system, polygon, degree, ends == EndsOption::Closed ? Ends::Circular : Ends::Open);
+    const std::optional<Axiom>& axiom = knots.system.grammar().axiom;
+    if (axiom && axiom->word != knots.word)
+        throw failure(ExitCode::Refused, fmt::format("the knots of {} ({} intervals) and the grammar's axiom ({} "
+                                                     "letters) disagree",
+                                                     polygon.source, knots.word.size(), axiom->word.size()));
+    return {std::move(knots.system), std::move(knots.word), ends, {}};
+}
+
+/// --rational: the last coordinate of each point is its weight.
+void take_weights(InputPolygon& polygon) {
+    if (!polygon.weights.empty())
+        throw failure(ExitCode::Refused,
+                      fmt::format("{} has weights of its own: leave --rational out", polygon.source));
+    if (polygon.dimension < 2)
+        throw failure(ExitCode::Refused,
+                      fmt::format("--rational needs a coordinate and a weight, but the points of {} have one number",
+                                  polygon.source));
+    std::vector<double> points;
+    for (std::size_t i = 0; i < polygon.points.size(); ++i)
+        ((i + 1) % polygon.dimension == 0 ? polygon.weights : points).push_back(polygon.points[i]);
+    polygon.points = std::move(points);
+    --polygon.dimension;
+    if (polygon.columns.size() > 1) polygon.columns.pop_back();
+    if (const auto bad = first_bad_weight(polygon.weights))
+        throw failure(ExitCode::Refused,
+                      fmt::format("the weight of point {} of {} is {}: weights go from {} to {}", *bad + 1,
+                                  polygon.source, polygon.weights[*bad], smallest_weight, largest_weight));
+}
+
+std::string base_name(const std::string& source) {
+    const auto slash = source.find_last_of('/');
+    return slash == std::string::npos ? source : source.substr(slash + 1);
 }
 
 } // namespace
 
 LoadedCurve load_curve(const IntervalSystem& system, const PolygonOptions& options) {
     InputPolygon polygon = read_polygon_file(options.place);
+    if (options.rational) take_weights(polygon);
     const int degree = settled_degree(options, polygon);
-    const SaidWord said = settled_word(system, options, polygon);
-    const EndsOption ends = settled_ends(options, polygon, said);
-    if (ends == EndsOption::Closed) refuse_repeated_point(polygon);
+    const IntervalSystem scaled = fixed_lengths(system, polygon);
+    Labels labels = polygon.knots ? labels_of_knots(scaled, options, polygon, degree)
+                                  : labels_of_word(scaled, options, polygon, degree);
+    if (labels.ends == EndsOption::Closed) refuse_repeated_point(polygon);
+    const bool rational = !polygon.weights.empty();
     const std::size_t polygon_size = polygon.size();
     CurveData data;
     data.degree = degree;
-    data.ends = ends == EndsOption::Closed ? Ends::Circular : Ends::Open;
-    data.word = fitted_word(said, options, ends, polygon.size(), degree);
-    data.dimension = polygon.dimension;
-    data.points = std::move(polygon.points);
+    data.ends = labels.ends == EndsOption::Closed ? Ends::Circular : Ends::Open;
+    data.word = std::move(labels.word);
+    data.dimension = polygon.dimension + (rational ? 1 : 0);
+    data.points =
+        rational ? homogeneous(polygon.points, polygon.dimension, polygon.weights) : std::move(polygon.points);
     const std::size_t letters = data.word.size();
     const std::size_t needed = polygon_size + (data.ends == Ends::Open ? static_cast<std::size_t>(degree) : 0);
-    CheckedCurve checked = make_curve(fixed_lengths(system, polygon), std::move(data));
+    CheckedCurve checked = make_curve(labels.system, std::move(data));
     if (!checked.curve) {
         std::string text;
         for (const std::string& problem : checked.problems)
             text += fmt::format("{}: error: {}\n", printable(polygon.source), printable(problem));
-        if (!options.repeat && letters != needed)
-            text += fmt::format("hint: --repeat repeats the letters of {} to fit the points\n", said.origin);
+        if (!labels.origin.empty() && letters != needed)
+            text += fmt::format("hint: --repeat repeats the letters of {} to fit the points\n", labels.origin);
         throw Failure(ExitCode::Refused, text);
     }
-    const auto slash = polygon.source.find_last_of('/');
-    return {*std::move(checked.curve), std::move(polygon.columns),
-            slash == std::string::npos ? polygon.source : polygon.source.substr(slash + 1)};
+    return {*std::move(checked.curve), std::move(polygon.columns), base_name(polygon.source),
+            rational ? Coordinates::Homogeneous : Coordinates::Cartesian};
+}
+
+LoadedCurve load_polynomial_curve(const IntervalSystem& system, const PolygonOptions& options) {
+    LoadedCurve loaded = load_curve(system, options);
+    if (loaded.coordinates == Coordinates::Homogeneous)
+        throw failure(ExitCode::Refused, fmt::format("the points of {} have weights: this command measures polynomial "
+                                                     "curves",
+                                                     loaded.source));
+    return loaded;
 }
 
 } // namespace internode::cli

@@ -30,12 +30,14 @@ RefinementSize planned(const Curve& curve, const SubdivideOptions& options) {
     return size;
 }
 
-void print_plan(const Curve& curve, const SubdivideOptions& options) {
-    const RefinementSize size = planned(curve, options);
-    const Refinement refinement(curve);
+void print_plan(const LoadedCurve& loaded, const SubdivideOptions& options) {
+    const RefinementSize size = planned(loaded.curve, options);
+    const Refinement refinement(loaded.curve);
+    const std::uint64_t points = size.points * loaded.curve.dimension() * sizeof(double);
+    const std::uint64_t divided = loaded.coordinates == Coordinates::Homogeneous ? points : 0; // a copy, for output
     write_output("-", fmt::format("points {}\nbytes of points {}\nbytes of memory {}\nstates {}\nrows {}\n",
-                                  size.points, size.points * curve.dimension() * sizeof(double), size.bytes,
-                                  refinement.automaton().state_count(), refinement.automaton().row_count()));
+                                  size.points, points, size.bytes + divided, refinement.automaton().state_count(),
+                                  refinement.automaton().row_count()));
 }
 
 /// "1,3" as two different coordinates counted from 0. \throw Failure
@@ -56,7 +58,11 @@ PictureAxes chosen_axes(const std::string& text, std::size_t dimension) {
 }
 
 std::vector<std::string> column_names(const LoadedCurve& loaded) {
-    return loaded.columns.empty() ? coordinate_names(loaded.curve.dimension()) : loaded.columns;
+    return loaded.columns.empty() ? coordinate_names(loaded.space_dimension()) : loaded.columns;
+}
+
+bool has_weights(const LoadedCurve& loaded) {
+    return loaded.coordinates == Coordinates::Homogeneous;
 }
 
 /// The lengths of the letters at the curve's step, a_i / ρ^s: with them the file reads back as the same curve.
@@ -76,7 +82,7 @@ std::vector<CurveLength> current_lengths(const Curve& curve) {
     return lengths;
 }
 
-void write_json(Sink& sink, const Curve& curve, const Context& context) {
+void write_json(Sink& sink, const Curve& curve, const PointsView& points, bool weighted, const Context& context) {
     CurveDocument document;
     document.version = generator(context).version;
     document.command = context.command_line;
@@ -85,25 +91,35 @@ void write_json(Sink& sink, const Curve& curve, const Context& context) {
     document.symbols = curve.system().alphabet().names();
     document.word = curve.word();
     document.lengths = current_lengths(curve);
-    document.points = {curve.dimension(), curve.points()};
+    document.points = points;
+    document.weighted = weighted;
     write_curve_json(sink, document);
 }
 
+/// A polygon in OBJ knows no weights; elsewhere they are the last column, or the key "weights".
 void write_polygon(Sink& sink, const std::string& format, const Curve& curve, const LoadedCurve& loaded,
                    const Context& context) {
-    const PointsView points{curve.dimension(), curve.points()};
+    const bool weighted = has_weights(loaded) && format != "obj";
+    std::vector<double> divided;
+    if (weighted) divided = projected(curve.points(), curve.dimension());
+    if (has_weights(loaded) && !weighted) divided = projected_points(curve.points(), curve.dimension());
+    const PointsView points{loaded.space_dimension() + (weighted ? 1 : 0),
+                            has_weights(loaded) ? divided : curve.points()};
+    std::vector<std::string> columns = column_names(loaded);
+    if (weighted) columns.emplace_back("w");
     if (format == "csv")
-        write_csv(sink, points, {column_names(loaded), {}});
+        write_csv(sink, points, {columns, {}});
     else if (format == "npy")
         write_npy(sink, points);
     else if (format == "obj")
         write_obj(sink, points, curve.ends(),
                   std::vector<std::string>{"internode " + generator(context).version, context.command_line});
     else
-        write_json(sink, curve, context);
+        write_json(sink, curve, points, weighted, context);
 }
 
-void check_format(const SubdivideOptions& options, const std::string& format, std::size_t dimension) {
+void check_format(const SubdivideOptions& options, const std::string& format, const LoadedCurve& loaded) {
+    const std::size_t dimension = loaded.space_dimension();
     if (format == "obj" && dimension > max_obj_dimension)
         throw failure(ExitCode::Refused,
                       fmt::format("OBJ has at most {} coordinates, the points have {}", max_obj_dimension, dimension),
@@ -112,9 +128,13 @@ void check_format(const SubdivideOptions& options, const std::string& format, st
         throw failure(ExitCode::Usage, "--derivatives belongs to --limit", "add --limit");
     if (options.derivatives && format != "csv" && format != "npy")
         throw failure(ExitCode::Usage, fmt::format("--derivatives has no {} form", format), "use CSV or NPY");
+    if (options.derivatives && has_weights(loaded))
+        throw failure(ExitCode::Refused, "the derivatives of curves with weights are not computed");
     if (options.limit && format == "json")
         throw failure(ExitCode::Usage, "points of the curve have no word: --limit has no JSON form",
                       "use CSV, NPY or OBJ; SVG always draws the curve");
+    if (format == "svg" && dimension == 1 && has_weights(loaded))
+        throw failure(ExitCode::Refused, "a curve of one coordinate and a weight has no picture", "use CSV or JSON");
 }
 
 std::string picture_title(const SubdivideOptions& options, const LoadedCurve& loaded) {
@@ -131,12 +151,12 @@ ExitCode run(const SubdivideOptions& options, const Context& context) {
     const LoadedCurve loaded = load_curve(system, options.polygon);
     if (options.plan) {
         if (options.output.file != "-") throw failure(ExitCode::Usage, "--plan writes no file: leave -o out");
-        print_plan(loaded.curve, options);
+        print_plan(loaded, options);
         return ExitCode::Success;
     }
-    check_format(options, format, loaded.curve.dimension());
+    check_format(options, format, loaded);
     const RefinementSize size = planned(loaded.curve, options);
-    const PictureAxes axes = chosen_axes(options.axes, loaded.curve.dimension());
+    const PictureAxes axes = chosen_axes(options.axes, loaded.space_dimension());
     Output output(options.output.file);
     Refinement refinement(loaded.curve);
     Progress progress(context);
@@ -148,12 +168,12 @@ ExitCode run(const SubdivideOptions& options, const Context& context) {
         say(context, fmt::format("{} points from {} by {} stencils of {} states\n", size.points, loaded.curve.size(),
                                  refinement.automaton().row_count(), refinement.automaton().state_count()));
     if (format == "svg")
-        output.sink().write(curve_picture(planar_curve(loaded.curve, refinement, axes),
+        output.sink().write(curve_picture(planar_curve(loaded.curve, refinement, axes, loaded.coordinates),
                                           {picture_title(options, loaded), generator(context)}));
     else if (options.derivatives)
         write_limit_frames(output.sink(), format, refinement, column_names(loaded));
     else if (options.limit)
-        write_limit(output.sink(), format, refinement, column_names(loaded));
+        write_limit(output.sink(), format, refinement, loaded.coordinates, column_names(loaded));
     else
         write_polygon(output.sink(), format, refinement.curve(), loaded, context);
     output.commit();

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// The curves of data/curves: each can be read, and becomes a curve over the letters of Fibonacci; damage to any of
-// them gets a clear answer (P2).
+// The curves of data/curves: each can be read, and becomes a curve over the letters of Fibonacci, or over its own
+// knots; damage to any of them gets a clear answer (P2).
 
+#include "internode/curve/homogeneous.h"
+#include "internode/curve/knot_vector.h"
 #include "internode/curve/refinement.h"
 #include "internode/io/input_file.h"
 #include "internode/io/polygon.h"
@@ -52,6 +54,18 @@ CurveData data_of(const InputPolygon& polygon) {
     return data;
 }
 
+/// Curves with knots say their own lengths: any rule that only splits serves.
+CheckedCurve curve_with_knots(const InputPolygon& polygon) {
+    const int degree = static_cast<int>(polygon.degree.value());
+    KnotVector vector{.degree = degree, .ends = Ends::Open, .points = polygon.size(), .knots = {}};
+    for (const InputNumber& knot : *polygon.knots) vector.knots.emplace_back(knot.front());
+    const FittedKnots fitted = fit_knots(reference::system_with({"AA"}), vector);
+    if (!fitted.fitted) return {{}, fitted.problems};
+    std::vector<double> points = homogeneous(polygon.points, polygon.dimension, polygon.weights);
+    return make_curve(fitted.fitted->system,
+                      {degree, Ends::Open, fitted.fitted->word, polygon.dimension + 1, std::move(points)});
+}
+
 void expect_clear_answer(std::string_view text) {
     const ParsedPolygon parsed = read_polygon(text, "p");
     ASSERT_EQ(parsed.polygon.has_value(), parsed.errors.empty()) << text;
@@ -69,9 +83,12 @@ TEST(BundledCurves, AreReadAndCanBeRefined) {
         const ParsedPolygon parsed = read_polygon(curve.text, curve.name);
         ASSERT_TRUE(parsed.polygon);
         const bool is_json = curve.name.ends_with(".json");
-        EXPECT_EQ(parsed.polygon->degree && parsed.polygon->closed && parsed.polygon->word_letters, is_json);
+        const bool has_knots = parsed.polygon->knots.has_value();
+        EXPECT_EQ(parsed.polygon->degree && parsed.polygon->closed && (has_knots || parsed.polygon->word_letters),
+                  is_json);
         with_word += is_json ? 1 : 0;
-        const CheckedCurve checked = make_curve(fibonacci, data_of(*parsed.polygon));
+        const CheckedCurve checked =
+            has_knots ? curve_with_knots(*parsed.polygon) : make_curve(fibonacci, data_of(*parsed.polygon));
         ASSERT_TRUE(checked.curve) << checked.problems.front();
         EXPECT_EQ(refine(*checked.curve, 3).size(), refined_size(*checked.curve, 3, 100'000).points);
     }

@@ -21,9 +21,8 @@ TEST(Homogeneous, MultipliesAndDividesByTheWeight) {
     const std::vector<double> weights{2, 0.5};
     const std::vector<double> rows = homogeneous(points, 2, weights);
     EXPECT_THAT(rows, ElementsAre(2, 4, 2, 1.5, 2, 0.5));
-    const WeightedPoints back = projected(rows, 2);
-    EXPECT_EQ(back.points, points);
-    EXPECT_EQ(back.weights, weights);
+    EXPECT_THAT(projected(rows, 3), ElementsAre(1, 2, 2, 3, 4, 0.5));
+    EXPECT_THAT(projected_points(rows, 3), ElementsAre(1, 2, 3, 4));
 }
 
 TEST(Homogeneous, FindsTheFirstBadWeight) {
@@ -43,9 +42,9 @@ TEST(Homogeneous, RefusesWhatDoesNotFit) {
     EXPECT_THROW((void)homogeneous(three, 2, weights), std::invalid_argument);
     EXPECT_THROW((void)homogeneous({}, 0, {}), std::invalid_argument);
     EXPECT_THROW((void)homogeneous(points, 1, weights), std::invalid_argument);
+    EXPECT_THROW((void)projected(three, 2), std::invalid_argument);
     EXPECT_THROW((void)projected(three, 1), std::invalid_argument);
-    EXPECT_THROW((void)projected(three, 0), std::invalid_argument);
-    EXPECT_THROW((void)projected(weights, 1), std::invalid_argument);
+    EXPECT_THROW((void)projected(weights, 2), std::invalid_argument);
 }
 
 /// The unit circle of four quadratic arcs: points on it and corners of the square around it, in turn.
@@ -64,9 +63,9 @@ std::vector<double> circle_rows(std::size_t count) {
 
 double worst_radius(const std::vector<double>& rows) {
     double worst = 0;
-    const WeightedPoints points = projected(rows, 2);
-    for (std::size_t i = 0; i < points.points.size(); i += 2)
-        worst = std::max(worst, std::abs(std::hypot(points.points[i], points.points[i + 1]) - 1));
+    const std::vector<double> points = projected(rows, 3);
+    for (std::size_t i = 0; i < points.size(); i += 3)
+        worst = std::max(worst, std::abs(std::hypot(points[i], points[i + 1]) - 1));
     return worst;
 }
 

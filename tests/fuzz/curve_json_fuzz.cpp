@@ -38,6 +38,17 @@ std::vector<CurveLength> written(const std::vector<InputLength>& lengths) {
     return result;
 }
 
+/// The points as rows with their weights behind them, as they are written.
+std::vector<double> weighted_rows(const InputPolygon& polygon) {
+    std::vector<double> rows;
+    for (std::size_t k = 0; k < polygon.weights.size(); ++k) {
+        const auto first = polygon.points.begin() + static_cast<std::ptrdiff_t>(k * polygon.dimension);
+        rows.insert(rows.end(), first, first + static_cast<std::ptrdiff_t>(polygon.dimension));
+        rows.push_back(polygon.weights[k]);
+    }
+    return rows;
+}
+
 void require_same_after_writing(const InputPolygon& polygon) {
     CurveDocument curve;
     Word word;
@@ -48,11 +59,15 @@ void require_same_after_writing(const InputPolygon& polygon) {
     curve.word = word;
     curve.degree = polygon.degree.value_or(1);
     curve.lengths = written(polygon.lengths);
-    curve.points = {polygon.dimension, polygon.points};
+    const std::vector<double> rows = weighted_rows(polygon);
+    curve.weighted = !rows.empty();
+    curve.points =
+        curve.weighted ? PointsView{polygon.dimension + 1, rows} : PointsView{polygon.dimension, polygon.points};
     StringSink sink;
     require(write_curve_json(sink, curve));
     const ParsedPolygon again = read_polygon(sink.text(), "again.json");
     require(again.polygon && same_bits(again.polygon->points, polygon.points));
+    require(same_bits(again.polygon->weights, polygon.weights));
     require(again.polygon->degree == curve.degree && same_coefficients(*again.polygon, polygon));
     require(again.polygon->word_letters.value_or(std::vector<PlacedText>{}).size() == word.size());
 }

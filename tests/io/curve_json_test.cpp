@@ -49,6 +49,21 @@ TEST(CurveJson, WritesADocument) {
 )");
 }
 
+TEST(CurveJson, PutsWeightsBesideThePoints) {
+    const std::vector<double> coordinates{0, 1, 0.5, -2, 3, 0.25};
+    CurveDocument curve = small_curve(coordinates);
+    curve.points.dimension = 3;
+    curve.weighted = true;
+    StringSink sink;
+    ASSERT_TRUE(write_curve_json(sink, curve));
+    EXPECT_THAT(sink.text(), testing::HasSubstr("    [0, 1],\n    [-2, 3]\n  ],\n  \"weights\": [0.5, 0.25]\n}"));
+    const InputPolygon back = read_polygon(sink.text(), "p").polygon.value();
+    EXPECT_THAT(back.points, ElementsAre(0, 1, -2, 3));
+    EXPECT_THAT(back.weights, ElementsAre(0.5, 0.25));
+    curve.points.dimension = 1;
+    EXPECT_THROW(write_curve_json(sink, curve), std::invalid_argument);
+}
+
 TEST(CurveJson, IsReadBack) {
     const std::vector<double> coordinates{0.1, 1e-300, -0.0, 3};
     StringSink sink;

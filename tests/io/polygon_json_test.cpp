@@ -57,6 +57,38 @@ TEST(PolygonJson, ReadsBarePointsAndAWordAsText) {
     EXPECT_FALSE(word.degree);
 }
 
+TEST(PolygonJson, ReadsKnotsAndWeights) {
+    const InputPolygon curve = read(R"({"degree":1,"points":[[0,1],[2,3],[4,5]],"weights":[1,0.5,2e-1],
+        "knots":[0,"1/3",0.5,1,{"exact":["1/2","2"]}]})");
+    EXPECT_THAT(curve.weights, ElementsAre(1, 0.5, 0.2));
+    EXPECT_THAT(curve.knots.value(),
+                ElementsAre(ElementsAre(0), ElementsAre(Rational(1, 3)), ElementsAre(Rational(1, 2)), ElementsAre(1),
+                            ElementsAre(Rational(1, 2), 2)));
+    const InputPolygon none = read(R"({"points":[[0]],"knots":null,"weights":null})");
+    EXPECT_FALSE(none.knots);
+    EXPECT_TRUE(none.weights.empty());
+}
+
+TEST(PolygonJson, RefusesKnotsAndWeightsThatAreNone) {
+    const auto message = [](const std::string& rest) { return refusal("{\"points\":[[0],[1]]," + rest + "}").message; };
+    EXPECT_THAT(message("\"knots\":3"), HasSubstr("must be an array"));
+    EXPECT_THAT(message("\"knots\":[0,true]"), HasSubstr("exact number"));
+    EXPECT_THAT(message("\"knots\":[0,\"nan\"]"), HasSubstr("exact number"));
+    EXPECT_THAT(message("\"knots\":[0,{\"value\":1}]"), HasSubstr("needs `exact`"));
+    EXPECT_THAT(message("\"knots\":[0,1],\"word\":[\"L\"]"), HasSubstr("exclude each other"));
+    EXPECT_THAT(message("\"weights\":1"), HasSubstr("must be an array"));
+    EXPECT_THAT(message("\"weights\":[1]"), HasSubstr("1 weights, but 2 points"));
+    for (const std::string bad : {"0", "-1", "1e-101", "1e101", "\"1\"", "null"}) {
+        const Diagnostic error = refusal("{\"points\":[[0],[1]],\n\"weights\":[1," + bad + "]}");
+        EXPECT_THAT(error.message, HasSubstr("from 1e-100 to 1e+100"));
+        EXPECT_EQ(error.line, 2U);
+        EXPECT_EQ(error.column, 14U);
+    }
+    std::string many = "\"knots\":[0";
+    for (std::uint64_t i = 0; i < max_knots; ++i) many += ",0";
+    EXPECT_THAT(message(many + "]"), HasSubstr("5000001 knots, more than the limit of 5000000"));
+}
+
 TEST(PolygonJson, RefusesUnknownKeysWithWhatWasMeant) {
     const Diagnostic error = refusal("{\"points\":[[1]],\n \"degre\":3}");
     EXPECT_EQ(error.line, 2U);

@@ -26,18 +26,23 @@ std::vector<double> homogeneous(std::span<const double> points, std::size_t dime
     return rows;
 }
 
-WeightedPoints projected(std::span<const double> rows, std::size_t dimension) {
-    const std::size_t width = dimension + 1;
-    if (dimension == 0 || rows.size() % width != 0) throw std::invalid_argument("whole rows of points and weights");
-    WeightedPoints result;
-    result.points.reserve(rows.size() / width * dimension);
-    result.weights.reserve(rows.size() / width);
+std::vector<double> projected(std::span<const double> rows, std::size_t width) {
+    if (width < 2 || rows.size() % width != 0) throw std::invalid_argument("whole rows of points and weights");
+    std::vector<double> result(rows.begin(), rows.end());
     for (std::size_t row = 0; row < rows.size(); row += width) {
-        const double weight = rows[row + dimension];
+        const double weight = rows[row + width - 1];
         if (!(weight > 0)) throw std::invalid_argument("a weight that is not positive");
-        for (std::size_t c = 0; c < dimension; ++c) result.points.push_back(rows[row + c] / weight);
-        result.weights.push_back(weight);
+        for (std::size_t c = 0; c + 1 < width; ++c) result[row + c] /= weight;
     }
+    return result;
+}
+
+std::vector<double> projected_points(std::span<const double> rows, std::size_t width) {
+    std::vector<double> result = projected(rows, width);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < result.size(); ++i)
+        if ((i + 1) % width != 0) result[kept++] = result[i];
+    result.resize(kept);
     return result;
 }
 

@@ -14,6 +14,9 @@
 
 namespace internode {
 
+/// What the coordinates of a point are.
+enum class Coordinates { Cartesian, Homogeneous };
+
 /// A margin that keeps products and quotients of moderate coordinates finite.
 inline constexpr double smallest_weight = 1e-100;
 inline constexpr double largest_weight = 1e100;
@@ -26,14 +29,11 @@ inline constexpr double largest_weight = 1e100;
 [[nodiscard]] std::vector<double> homogeneous(std::span<const double> points, std::size_t dimension,
                                               std::span<const double> weights);
 
-/// Points and weights again, n coordinates a point.
-struct WeightedPoints {
-    std::vector<double> points;
-    std::vector<double> weights;
-};
+/// Rows (x_1, …, x_n, w) from rows (w x_1, …, w x_n, w), `width` = n + 1 numbers each. \throw std::invalid_argument for
+/// width < 2, rows that are not whole, and a w that is not positive
+[[nodiscard]] std::vector<double> projected(std::span<const double> rows, std::size_t width);
 
-/// Divides rows of n + 1 numbers by their last, which must be positive. \throw std::invalid_argument otherwise, and for
-/// n = 0 and rows that are not whole
-[[nodiscard]] WeightedPoints projected(std::span<const double> rows, std::size_t dimension);
+/// The same without w: n coordinates a point.
+[[nodiscard]] std::vector<double> projected_points(std::span<const double> rows, std::size_t width);
 
 } // namespace internode

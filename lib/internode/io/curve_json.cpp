@@ -5,6 +5,7 @@
 #include "internode/io/json_writer.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace internode {
 
@@ -43,13 +44,19 @@ void write_lengths(JsonWriter& json, const CurveDocument& curve) {
     json.end_object();
 }
 
-void write_points(JsonWriter& json, const PointsView& points) {
+void write_points(JsonWriter& json, const PointsView& points, std::size_t dimension) {
     json.key("points").begin_array();
     for (std::size_t row = 0; row < points.size() && json.good(); ++row) {
         json.begin_array(line);
-        for (const double coordinate : points[row]) json.number(coordinate);
+        for (const double coordinate : points[row].first(dimension)) json.number(coordinate);
         json.end_array();
     }
+    json.end_array();
+}
+
+void write_weights(JsonWriter& json, const PointsView& points) {
+    json.key("weights").begin_array(line);
+    for (std::size_t row = 0; row < points.size() && json.good(); ++row) json.number(points[row].back());
     json.end_array();
 }
 
@@ -57,12 +64,14 @@ void write_points(JsonWriter& json, const PointsView& points) {
 
 bool write_curve_json(Sink& sink, const CurveDocument& curve) {
     require_whole_rows(curve.points);
+    if (curve.weighted && curve.points.dimension < 2) throw std::invalid_argument("a weight and no coordinate");
     JsonWriter json(sink);
     json.begin_object();
     write_head(json, curve);
     write_word(json, curve);
     write_lengths(json, curve);
-    write_points(json, curve.points);
+    write_points(json, curve.points, curve.points.dimension - (curve.weighted ? 1 : 0));
+    if (curve.weighted) write_weights(json, curve.points);
     json.end_object();
     return json.finish();
 }

@@ -29,10 +29,11 @@ struct CurveDocument {
     WordView word;                    ///< the key is left out when empty
     std::vector<CurveLength> lengths; ///< the key is left out when empty
     PointsView points;
+    bool weighted = false; ///< the last coordinate of each row goes into "weights" instead
 };
 
 /// Writes the document; false if the sink failed. \throw std::invalid_argument for rows that are not whole and numbers
-/// that are not finite; std::out_of_range for a letter without a name
+/// that are not finite, weights without another coordinate; std::out_of_range for a letter without a name
 bool write_curve_json(Sink& sink, const CurveDocument& curve);
 
 } // namespace internode

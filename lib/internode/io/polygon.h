@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A control polygon as a file gives it: N points of one dimension, and whatever the file says about degree, ends, word
-// and lengths. Whether these fit each other and a grammar is for curve/ to say.
+// and lengths, or knots, and weights. Whether these fit each other and a grammar is for curve/ to say.
 //
 // CSV: a point a line, `,`, `;` or tab between the coordinates (the first line decides), an optional header, `#`
 // comments, empty lines, CR LF, a byte order mark. JSON: an object of format "internode-curve" (docs/), or the
@@ -27,10 +27,13 @@ struct PlacedText {
     TextPlace place;
 };
 
-/// A length that the file fixes: Σ coefficients[i] ρ^i, ρ the ratio of the grammar; one coefficient for a rational.
+/// A number that the file says exactly: Σ coefficients[i] ρ^i, ρ the ratio of the grammar; one for a rational.
+using InputNumber = std::vector<Rational>;
+
+/// A length that the file fixes.
 struct InputLength {
     PlacedText symbol;
-    std::vector<Rational> coefficients; ///< at least one
+    InputNumber coefficients;
 };
 
 struct InputPolygon {
@@ -43,6 +46,8 @@ struct InputPolygon {
     std::optional<PlacedText> word_text;                 ///< "word": "SL SL", as --word takes it
     std::optional<std::vector<PlacedText>> word_letters; ///< "word": ["S", "L"]
     std::vector<InputLength> lengths;                    ///< in the order of the file, no symbol twice
+    std::optional<std::vector<InputNumber>> knots;       ///< never beside a word; at most max_knots
+    std::vector<double> weights;                         ///< one per point, positive; empty when the file has none
 
     [[nodiscard]] std::size_t size() const { return points.size() / dimension; }
 };

@@ -2,6 +2,7 @@
 
 #include "internode/io/polygon.h"
 
+#include "internode/curve/homogeneous.h"
 #include "internode/io/json_reader.h"
 #include "internode/io/limits.h"
 #include "internode/io/number.h"
@@ -47,17 +48,25 @@ private:
         if (root.object() == nullptr) return refuse(root, "a curve is an object or an array of points");
         for (const JsonMember& member : *root.object()) read_member(member);
         if (root.find("points") == nullptr) refuse(root, "the curve has no `points`");
+        const bool has_word = polygon_.word_text || polygon_.word_letters;
+        if (polygon_.knots && has_word) refuse(*root.find("knots"), "`knots` and `word` exclude each other");
+        const JsonValue* const weights = root.find("weights");
+        if (weights != nullptr && !weights->is_null() && errors_.empty() && polygon_.weights.size() != polygon_.size())
+            refuse(*weights, std::to_string(polygon_.weights.size()) + " weights, but " +
+                                 std::to_string(polygon_.size()) + " points");
     }
 
     void read_member(const JsonMember& member) {
-        constexpr std::array<Key, 8> keys{{{"format", &CurveReader::read_format, false},
-                                           {"version", &CurveReader::read_version, false},
-                                           {"generator", &CurveReader::pass_over},
-                                           {"degree", &CurveReader::read_degree},
-                                           {"closed", &CurveReader::read_closed},
-                                           {"word", &CurveReader::read_word},
-                                           {"lengths", &CurveReader::read_lengths},
-                                           {"points", &CurveReader::read_points, false}}};
+        constexpr std::array<Key, 10> keys{{{"format", &CurveReader::read_format, false},
+                                            {"version", &CurveReader::read_version, false},
+                                            {"generator", &CurveReader::pass_over},
+                                            {"degree", &CurveReader::read_degree},
+                                            {"closed", &CurveReader::read_closed},
+                                            {"word", &CurveReader::read_word},
+                                            {"lengths", &CurveReader::read_lengths},
+                                            {"knots", &CurveReader::read_knots},
+                                            {"weights", &CurveReader::read_weights},
+                                            {"points", &CurveReader::read_points, false}}};
         if (member.key.starts_with("x-") || errors_.size() >= max_polygon_errors) return;
         const auto key = std::ranges::find(keys, member.key, &Key::name);
         if (key != keys.end()) {
@@ -117,23 +126,47 @@ private:
         if (value.object() == nullptr) return refuse(value, "`lengths` must be an object, not " + kind(value));
         for (const JsonMember& member : *value.object()) {
             InputLength length{{member.key, member.place}, {}};
-            if (read_length(member.value, length.coefficients)) polygon_.lengths.push_back(std::move(length));
+            if (read_exact(member.value, length.coefficients)) polygon_.lengths.push_back(std::move(length));
+        }
+    }
+
+    void read_knots(const JsonValue& value) {
+        const JsonArray* const knots = value.array();
+        if (knots == nullptr) return refuse(value, "`knots` must be an array, not " + kind(value));
+        if (knots->size() > max_knots)
+            return refuse(value, std::to_string(knots->size()) + " knots, more than the limit of " +
+                                     std::to_string(max_knots));
+        polygon_.knots.emplace(knots->size());
+        for (std::size_t i = 0; i < knots->size() && errors_.size() < max_polygon_errors; ++i)
+            (void)read_exact((*knots)[i], (*polygon_.knots)[i]);
+    }
+
+    void read_weights(const JsonValue& value) {
+        if (value.array() == nullptr) return refuse(value, "`weights` must be an array, not " + kind(value));
+        for (const JsonValue& weight : *value.array()) {
+            if (errors_.size() >= max_polygon_errors) return;
+            const std::string_view text = weight.number() == nullptr ? std::string_view{} : weight.number()->text;
+            const double number = parse_double(text).value_or(0);
+            if (first_bad_weight({&number, 1}))
+                refuse(weight, "a weight must be a number from " + to_string(smallest_weight) + " to " +
+                                   to_string(largest_weight));
+            polygon_.weights.push_back(number);
         }
     }
 
     /// "3/2", 1.5, or {"exact": ["-3", "2"], …} as our own files have it.
-    bool read_length(const JsonValue& value, std::vector<Rational>& coefficients) {
+    bool read_exact(const JsonValue& value, InputNumber& coefficients) {
         if (value.object() == nullptr) return read_rational(value, coefficients);
         const JsonValue* const exact = value.find("exact");
         if (exact == nullptr || exact->array() == nullptr || exact->array()->empty()) {
-            refuse(value, "a length as an object needs `exact`, the array of its coefficients");
+            refuse(value, "an exact number as an object needs `exact`, the array of its coefficients");
             return false;
         }
         return std::ranges::all_of(*exact->array(),
                                    [&](const JsonValue& entry) { return read_rational(entry, coefficients); });
     }
 
-    bool read_rational(const JsonValue& value, std::vector<Rational>& coefficients) {
+    bool read_rational(const JsonValue& value, InputNumber& coefficients) {
         std::string_view text;
         if (value.string() != nullptr) text = *value.string();
         if (value.number() != nullptr) text = value.number()->text;

@@ -121,47 +121,63 @@ std::string draw_polygon(std::string_view name, const std::vector<Point2>& point
     return text + "</g>\n";
 }
 
-/// A point of a Bézier curve, by de Casteljau.
-Point2 bezier_point(std::vector<Point2> points, double t) {
+/// A Bézier curve, rational when it has weights.
+struct Piece {
+    std::span<const Point2> points;
+    std::span<const double> weights; ///< none, or one per point
+};
+
+/// A point of a Bézier curve, by de Casteljau; with weights every step is a convex combination too (Farin).
+Point2 bezier_point(const Piece& piece, double t) {
+    std::vector<Point2> points(piece.points.begin(), piece.points.end());
+    std::vector<double> weights(piece.weights.begin(), piece.weights.end());
     for (std::size_t left = points.size() - 1; left > 0; --left)
-        for (std::size_t b = 0; b < left; ++b)
-            points[b] = {.x = (1 - t) * points[b].x + t * points[b + 1].x,
-                         .y = (1 - t) * points[b].y + t * points[b + 1].y};
+        for (std::size_t b = 0; b < left; ++b) {
+            double part = t;
+            if (!weights.empty()) {
+                const double weight = (1 - t) * weights[b] + t * weights[b + 1];
+                part = t * weights[b + 1] / weight;
+                weights[b] = weight;
+            }
+            points[b] = {.x = (1 - part) * points[b].x + part * points[b + 1].x,
+                         .y = (1 - part) * points[b].y + part * points[b + 1].y};
+        }
     return points.front();
 }
 
 /// The commands of one segment after its start.
-void append_segment(std::string& path, std::span<const Point2> pixels, std::size_t pieces, int decimals) {
-    const std::size_t degree = pixels.size() - 1;
-    if (degree <= 3) {
+void append_segment(std::string& path, const Piece& piece, std::size_t chords, int decimals) {
+    const std::size_t degree = piece.points.size() - 1;
+    if (degree <= 3 && piece.weights.empty()) {
         path += std::string_view("LQC")[degree - 1];
         for (std::size_t b = 1; b <= degree; ++b) {
             if (b > 1) path += ' ';
-            append_point(path, pixels[b], decimals);
+            append_point(path, piece.points[b], decimals);
         }
         return;
     }
-    const std::vector<Point2> points(pixels.begin(), pixels.end());
-    for (std::size_t piece = 1; piece <= pieces; ++piece) {
+    for (std::size_t chord = 1; chord <= chords; ++chord) {
         path += 'L';
-        append_point(path, bezier_point(points, static_cast<double>(piece) / static_cast<double>(pieces)), decimals);
+        append_point(path, bezier_point(piece, static_cast<double>(chord) / static_cast<double>(chords)), decimals);
     }
 }
 
 /// One path per symbol; a piece that goes on where the last one of its symbol ended needs no start of its own.
 std::vector<std::string> symbol_paths(const PlanarCurve& curve, const std::vector<Point2>& pixels, int decimals) {
     const std::size_t size = static_cast<std::size_t>(curve.degree) + 1;
-    const std::size_t pieces = std::clamp<std::size_t>(smooth_points / curve.symbols.size(), 2, 16);
+    const std::size_t most = curve.weights.empty() ? 16 : 64; // chords: a rational piece may turn by half a circle
+    const std::size_t chords = std::clamp<std::size_t>(smooth_points / curve.symbols.size(), 2, most);
     std::vector<std::string> paths(curve.names.size());
     for (std::size_t k = 0; k < curve.symbols.size(); ++k) {
         std::string& path = paths[to_index(curve.symbols[k])];
-        const std::span<const Point2> segment(pixels.data() + k * size, size);
+        Piece piece{std::span<const Point2>(pixels).subspan(k * size, size), {}};
+        if (!curve.weights.empty()) piece.weights = std::span<const double>(curve.weights).subspan(k * size, size);
         std::string start;
-        append_point(start, segment.front(), decimals);
+        append_point(start, piece.points.front(), decimals);
         std::string end_before;
         if (k > 0 && curve.symbols[k - 1] == curve.symbols[k]) append_point(end_before, pixels[k * size - 1], decimals);
         if (start != end_before) path += "M" + start;
-        append_segment(path, segment, pieces, decimals);
+        append_segment(path, piece, chords, decimals);
     }
     return paths;
 }

@@ -10,7 +10,11 @@ namespace internode {
 
 namespace {
 
-std::vector<Point2> projected(const std::vector<double>& points, std::size_t dimension, PictureAxes axes) {
+/// Two coordinates of each row, divided by the last where it is a weight.
+std::vector<Point2> drawn(const std::vector<double>& points, std::size_t dimension, PictureAxes axes,
+                          Coordinates coordinates) {
+    if (coordinates == Coordinates::Homogeneous)
+        return drawn(projected(points, dimension), dimension, axes, Coordinates::Cartesian);
     std::vector<Point2> projection;
     projection.reserve(points.size() / dimension);
     for (std::size_t row = 0; row < points.size(); row += dimension)
@@ -49,9 +53,11 @@ std::vector<Point2> graph_segments(const Curve& curve, const std::vector<double>
 
 } // namespace
 
-PlanarCurve planar_curve(const Curve& coarse, const Refinement& refinement, PictureAxes axes) {
+PlanarCurve planar_curve(const Curve& coarse, const Refinement& refinement, PictureAxes axes, Coordinates coordinates) {
     const Curve& fine = refinement.curve();
     const std::size_t dimension = fine.dimension();
+    const bool is_rational = coordinates == Coordinates::Homogeneous;
+    const std::size_t space = dimension - (is_rational ? 1 : 0);
     PlanarCurve planar;
     planar.degree = fine.degree();
     planar.is_graph = dimension == 1;
@@ -65,13 +71,16 @@ PlanarCurve planar_curve(const Curve& coarse, const Refinement& refinement, Pict
         planar.segments = graph_segments(fine, limit.points);
         return planar;
     }
-    if (axes.right >= dimension || axes.up >= dimension)
-        throw std::invalid_argument("the points have " + std::to_string(dimension) + " coordinates: axes " +
+    if (axes.right >= space || axes.up >= space)
+        throw std::invalid_argument("the points have " + std::to_string(space) + " coordinates: axes " +
                                     std::to_string(axes.right + 1) + "," + std::to_string(axes.up + 1) +
                                     " are not all among them");
-    planar.control = projected(coarse.points(), dimension, axes);
-    if (fine.step() > coarse.step()) planar.refined = projected(fine.points(), dimension, axes);
-    planar.segments = projected(limit.points, dimension, axes);
+    planar.control = drawn(coarse.points(), dimension, axes, coordinates);
+    if (fine.step() > coarse.step()) planar.refined = drawn(fine.points(), dimension, axes, coordinates);
+    planar.segments = drawn(limit.points, dimension, axes, coordinates);
+    if (is_rational)
+        for (std::size_t row = space; row < limit.points.size(); row += dimension)
+            planar.weights.push_back(limit.points[row]);
     return planar;
 }
 

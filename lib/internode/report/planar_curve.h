@@ -3,11 +3,13 @@
 // A refined curve as plane geometry, ready to be drawn: the control polygon it came from, the refined polygon, and the
 // limit curve as one Bézier segment per knot interval, with the symbol of each.
 //
-// Two coordinates of the points are taken. A curve of dimension 1 is drawn over its parameter: control points over
-// their Greville abscissae, Bézier points over equal parts of their interval, which is exact.
+// Two coordinates of the points are taken, divided by the weight where points have one. A curve of dimension 1 is drawn
+// over its parameter: control points over their Greville abscissae, Bézier points over equal parts of their interval,
+// which is exact.
 
 #pragma once
 
+#include "internode/curve/homogeneous.h"
 #include "internode/curve/limit.h"
 #include "internode/report/svg.h"
 
@@ -31,11 +33,13 @@ struct PlanarCurve {
     std::vector<Point2> refined;    ///< the refined polygon; empty when no step was taken
     std::vector<Symbol> symbols;    ///< of each segment, left to right
     std::vector<Point2> segments;   ///< degree + 1 Bézier points per segment
+    std::vector<double> weights;    ///< of these points; empty when the curve is polynomial
     std::vector<std::string> names; ///< of the symbols of the alphabet
 };
 
 /// `refinement` is of the same curve as `coarse`, at the same step or later. \throw std::invalid_argument for an axis
-/// that the points do not have
-[[nodiscard]] PlanarCurve planar_curve(const Curve& coarse, const Refinement& refinement, PictureAxes axes);
+/// that the points do not have, and for weights without two coordinates beside them
+[[nodiscard]] PlanarCurve planar_curve(const Curve& coarse, const Refinement& refinement, PictureAxes axes,
+                                       Coordinates coordinates = Coordinates::Cartesian);
 
 } // namespace internode
