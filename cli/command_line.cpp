@@ -181,13 +181,15 @@ void Reader::add_commands() {
                                    "With an axiom: the words reachable from it; without: the persistent words.",
                                    "masks @fibonacci -d 2", "masks @fibonacci -d 3 --json -o masks.json"));
     add_grammar(masks, masks_.grammar, false);
-    add_output(masks, masks_.output, {"text", "json", "mtx", "dot", "svg"});
+    add_output(masks, masks_.output, {"text", "json", "mtx", "dot", "svg", "c", "glsl"});
     masks->add_option("-d,--degree", masks_.degree, "Degree of the B-spline, 1 to 12")
         ->required()
         ->check(CLI::Range(1, max_degree));
     masks->add_flag("--all", masks_.all, "All n^(d+1) words");
-    masks->add_option("--word", masks_.word, "With --matrix: the word of the step (default: the axiom)")
+    masks->add_option("--word", masks_.word, "With --matrix, --automaton, c, glsl: the word (default: the axiom)")
         ->check(CLI::Validator(empty_word_problem, ""));
+    masks->add_flag("--automaton", masks_.automaton,
+                    "The stencil automaton as JSON; c (.h) and glsl are its tables as code");
     masks->add_flag_callback(
         "--matrix", [this] { masks_.output.format = "mtx"; }, "The matrix of one step of a word (MatrixMarket)");
     masks->add_flag_callback(

@@ -5,6 +5,7 @@
 #include "cli/output.h"
 #include "internode/curve/curve.h"
 #include "internode/io/matrix_market.h"
+#include "internode/report/automaton_code.h"
 #include "internode/report/graph_dot.h"
 #include "internode/report/graph_picture.h"
 #include "internode/report/masks_json.h"
@@ -53,6 +54,25 @@ void write_matrix(Sink& sink, const IntervalSystem& system, const MasksOptions& 
     write_matrix_market(sink, {matrix.rows, matrix.columns, entries}, comments);
 }
 
+/// The automaton of --word, else of the axiom, else of the words that persist (or of all).
+AutomatonExport chosen_automaton(const IntervalSystem& system, const MasksOptions& options) {
+    const std::string name = display_name(system.grammar(), options.grammar);
+    if (options.word.empty())
+        return export_automaton(name, system, options.degree, options.all ? WordChoice::All : WordChoice::Default,
+                                max_table_words);
+    const Axiom word = load_word(options.word, system.alphabet()).axiom;
+    check_fits(system, options.degree, word, "--word");
+    return export_automaton(name, system, options.degree, word, max_table_words);
+}
+
+std::string automaton_text(const std::string& format, const IntervalSystem& system, const MasksOptions& options,
+                           const Context& context) {
+    const AutomatonExport automaton = chosen_automaton(system, options);
+    if (format == "c") return automaton_c(automaton, generator(context));
+    if (format == "glsl") return automaton_glsl(automaton, generator(context));
+    return automaton_json(automaton, generator(context));
+}
+
 /// The graph on a circle, or a word about its size.
 std::string picture(const FactorGraph& graph, const IntervalSystem& system, const MasksOptions& options,
                     const Context& context) {
@@ -69,14 +89,20 @@ std::string picture(const FactorGraph& graph, const IntervalSystem& system, cons
 } // namespace
 
 ExitCode run(const MasksOptions& options, const Context& context) {
-    const std::string format = chosen_format(options.output, {"text", "json", "mtx", "dot", "svg"}, "text");
+    const std::string format = chosen_format(options.output, {"text", "json", "mtx", "dot", "svg", "c", "glsl"},
+                                             options.automaton ? "json" : "text");
+    const bool is_code = format == "c" || format == "glsl";
+    if (options.automaton && format != "json" && !is_code)
+        throw failure(ExitCode::Usage, fmt::format("--automaton has no {} form", format), "use JSON, c or glsl");
     const IntervalSystem system = load_system(options.grammar);
     if (system.grammar().axiom && !options.all && options.word.empty())
         check_fits(system, options.degree, *system.grammar().axiom, "the axiom");
     const WordChoice choice = options.all ? WordChoice::All : WordChoice::Default;
     const auto letters = static_cast<std::size_t>(options.degree) + 1;
     Output output(options.output.file);
-    if (format == "mtx") {
+    if (options.automaton || is_code) {
+        output.sink().write(automaton_text(format, system, options, context));
+    } else if (format == "mtx") {
         write_matrix(output.sink(), system, options, context);
     } else if (format == "dot") {
         output.sink().write(

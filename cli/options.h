@@ -47,7 +47,8 @@ struct MasksOptions {
     OutputTarget output;
     int degree = 0;
     bool all = false;
-    std::string word; ///< of --matrix; empty = the axiom
+    bool automaton = false;
+    std::string word; ///< of --matrix and of an automaton; empty = the axiom
 };
 
 /// How the word of a polygon is said on the command line.

@@ -30,6 +30,14 @@ std::string extension(const std::string& path) {
     return text;
 }
 
+/// The format that an extension stands for, mostly itself.
+std::string format_of(const std::string& written) {
+    if (written == "txt") return "text";
+    if (written == "h") return "c";
+    if (written == "comp") return "glsl";
+    return written;
+}
+
 bool wants_color(Color color) {
     if (color != Color::Auto) return color == Color::Always;
     const char* no_color = std::getenv("NO_COLOR");
@@ -58,7 +66,7 @@ void paint(std::string& text, std::string_view word, std::string_view code) {
 std::string chosen_format(const OutputTarget& target, const std::vector<std::string>& formats,
                           const std::string& fallback) {
     const std::string written = extension(target.file);
-    std::string name = written == "txt" ? "text" : written;
+    std::string name = format_of(written);
     const bool known = std::ranges::find(formats, name) != formats.end();
     if (!target.format.empty() && known && name != target.format)
         throw failure(ExitCode::Usage,
@@ -68,6 +76,7 @@ std::string chosen_format(const OutputTarget& target, const std::vector<std::str
     if (known) return name;
     std::vector<std::string> extensions = formats;
     std::ranges::replace(extensions, std::string("text"), std::string("txt"));
+    std::ranges::replace(extensions, std::string("c"), std::string("h"));
     throw failure(ExitCode::Usage, fmt::format("no format for the extension `.{}`", written),
                   fmt::format("use one of .{}, or --format", fmt::join(extensions, ", .")));
 }

@@ -109,6 +109,24 @@ TEST(Masks, EveryFormatComesOut) {
     EXPECT_THAT(matrix.out, HasSubstr("\n5 3 "));
 }
 
+TEST(Masks, ExportsTheAutomatonAsJsonAndAsCode) {
+    const Workspace here;
+    EXPECT_THAT(here.run({"masks", "@fibonacci", "-d", "2", "--automaton"}).out, HasSubstr("\"internode-automaton\""));
+    ASSERT_EQ(here.run({"masks", "@fibonacci", "-d", "2", "--automaton", "-o", "a.json"}).code, 0);
+    EXPECT_THAT(here.read("a.json"), HasSubstr("\"start\": \"persistent\""));
+    ASSERT_EQ(here.run({"masks", "@fibonacci", "-d", "2", "-o", "fib.h"}).code, 0);
+    const std::string c = here.run({"masks", "@fibonacci", "-d", "2", "--format", "c"}).out;
+    EXPECT_THAT(here.read("fib.h"), HasSubstr(c.substr(c.find("#ifndef"))));
+    EXPECT_THAT(here.read("fib.h"), HasSubstr("-ffp-contract=off"));
+    ASSERT_EQ(here.run({"masks", "@fibonacci", "-d", "2", "-o", "fib.comp"}).code, 0);
+    EXPECT_THAT(here.read("fib.comp"), HasSubstr("void fibonacci_2_step(uint cell)"));
+    const Outcome word = here.run({"masks", "@fibonacci", "-d", "3", "--automaton", "--word", "(SSSSS)"});
+    EXPECT_THAT(word.out, HasSubstr("\"start\": \"word\""));
+    EXPECT_EQ(here.run({"masks", "@fibonacci", "-d", "3", "--automaton", "--word", "LSL"}).code, 3);
+    EXPECT_EQ(here.run({"masks", "@tribonacci", "-d", "12", "--all", "--format", "c"}).code, 3);
+    EXPECT_EQ(here.run({"masks", "-e", "L->SL, S->L; axiom LS", "-d", "3", "--format", "c"}).code, 3);
+}
+
 TEST(Masks, RefusesWhatCannotBeShown) {
     const Workspace here;
     const Outcome circle = here.run({"masks", "@fibonacci", "-d", "7", "--all", "--svg"});

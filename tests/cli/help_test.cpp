@@ -93,6 +93,8 @@ TEST(Usage, WrongArgumentsAreExitTwo) {
         {"subdivide", "@fibonacci", "data/curves/fibonacci-open.json", "-n", "1", "--limit", "--derivatives", "-o",
          "limit.obj"},
         {"masks", "@fibonacci", "-d", "2", "--svg", "-o", "masks.json"},
+        {"masks", "@fibonacci", "-d", "2", "--automaton", "--dot"},
+        {"masks", "@fibonacci", "-d", "2", "--automaton", "-o", "automaton.svg"},
         {"converge", "@fibonacci", "data/curves/fibonacci-open.json", "-n", "1", "--html", "-"},
         {"converge", "@fibonacci", "data/curves/fibonacci-open.json", "-n", "1", "--tolerance", "0"},
         {"converge", "@fibonacci", "data/curves/fibonacci-open.json", "-n", "1", "--tolerance", "nan"},

@@ -448,6 +448,43 @@ def check_masks(document):
         check_window(system, document, entry, degree)
 
 
+# --- the automaton ---------------------------------------------------------------------------------------------------
+
+
+def check_state(system, document, index):
+    """Window, offset and children of a state, each row by Marsden's identity at the knots of its child."""
+    state, degree = document["states"][index], document["degree"]
+    window, lead = state["window"], state["lead"]
+    name = f"state {index}"
+    require(len(window) == 2 * degree - 1 and window[degree - 1] != "0", f"{name}: not a window")
+    require(lead <= degree and state["offset"] == lead - degree, f"{name}: lead and offset do not fit")
+    image = system.rewritten(window)
+    first = len(system.rewritten(window[: degree - 1]))
+    local = [knot * system.ratio for knot in system.knots(window)]
+    new = system.knots(image)
+    children = 1 if lead > 0 else len(system.image(window[degree - 1]))
+    require(len(state["children"]) == children, f"{name}: {len(state['children'])} children")
+    for c, child in enumerate(state["children"]):
+        target = document["states"][child["state"]]
+        place = first + c
+        require(target["window"] == image[place - degree + 1 : place + degree], f"{name}: child {c} has another window")
+        require(target["lead"] == lead, f"{name}: child {c} has another lead")
+        arguments = new[place + 1 - lead : place + 1 - lead + degree]
+        check_row(system, local, arguments, document["rows"][child["row"]], f"{name}, child {c}")
+
+
+def check_automaton(document):
+    system = System(document)
+    keys = [(tuple(state["window"]), state["lead"]) for state in document["states"]]
+    require(len(set(keys)) == len(keys), "a state stands twice")
+    rows = [tuple(tuple(weight["exact"]) for weight in row) for row in document["rows"]]
+    require(len(set(rows)) == len(rows), "a row stands twice")
+    used = {child["row"] for state in document["states"] for child in state["children"]}
+    require(used == set(range(len(rows))), "a row that no state uses, or a row that is missing")
+    for index in range(len(keys)):
+        check_state(system, document, index)
+
+
 # --- convergence -----------------------------------------------------------------------------------------------------
 
 
@@ -601,6 +638,7 @@ def check_refined(coarse, validation, steps, fine):
 CHECKS = {
     "internode-validation": ("validation", check_validation),
     "internode-masks": ("masks", check_masks),
+    "internode-automaton": ("automaton", check_automaton),
     "internode-convergence": ("convergence", check_convergence),
     "internode-curve": ("curve", check_curve),
 }
