@@ -3,6 +3,7 @@
 // stencil/plan.h against curve/refinement.h, its slow and obvious reference.
 
 #include "internode/curve/refinement.h"
+#include "internode/stencil/levels_plan.h"
 #include "tests/reference/random_curve.h"
 #include "tests/reference/small_grammars.h"
 #include "tests/reference/systems.h"
@@ -203,6 +204,68 @@ TEST(Plan, NeedsLittleMemoryBesideTheOutput) {
         const RefinementPlan plan = refinement_plan(curve.knots(), steps);
         EXPECT_LE(plan.work_bytes(3, sizeof(double)), plan.output_size() * 3 * sizeof(double) * 15 / 100) << name;
     }
+}
+
+TEST(Plan, AppliesToManyPolygonsAtOnce) {
+    const IntervalSystem system = system_of("L->SL, S->L");
+    const Curve first = curve_over(system, 3, Ends::Circular, 20, 2, 1);
+    std::vector<double> points;
+    std::vector<double> expected;
+    const RefinementPlan plan = refinement_plan(first.knots(), 6);
+    for (const double scale : {1.0, -2.0, 0.5}) {
+        std::vector<double> polygon = first.points();
+        for (double& coordinate : polygon) coordinate *= scale;
+        std::vector<double> fine(plan.output_size() * 2);
+        plan.apply<double>(polygon, 2, fine);
+        points.insert(points.end(), polygon.begin(), polygon.end());
+        expected.insert(expected.end(), fine.begin(), fine.end());
+    }
+    for (const int threads : {1, 2, 0}) {
+        std::vector<double> out(expected.size());
+        plan.apply_each<double>(points, 3, 2, out, {threads});
+        EXPECT_TRUE(same_bytes(out, expected));
+    }
+    std::vector<double> out(expected.size());
+    EXPECT_THROW(plan.apply_each<double>(points, 2, 2, out), std::invalid_argument);
+    EXPECT_THROW(plan.apply_each<double>(points, 0, 2, out), std::invalid_argument);
+}
+
+TEST(LevelsPlan, GivesEveryLevelOfTheStepByStepRefinement) {
+    Random random(4);
+    for (int time = 0; time < 20; ++time)
+        for (const auto& shape : all_shapes) {
+            const int degree = 1 + static_cast<int>(random.below(6));
+            const Curve curve = random_curve(random, reference::random_system(random), degree, shape, 6, 2);
+            for (const PlanOptions& options : {PlanOptions{}, eager(), single_steps()}) {
+                const LevelsPlan plan(curve.system(), degree, curve.word(), curve.ends(), 4, options);
+                std::vector<double> out(plan.output_size() * 2);
+                plan.apply<double>(curve.points(), 2, out, {time % 3});
+                for (int level = 1; level <= 4; ++level) {
+                    const std::vector<double> expected = step_by_step(curve, level);
+                    const auto first = out.begin() + static_cast<std::ptrdiff_t>(plan.start(level) * 2);
+                    const std::vector<double> points(first, first + static_cast<std::ptrdiff_t>(expected.size()));
+                    EXPECT_LE(largest_difference(points, expected), 1e-13) << "level " << level;
+                }
+            }
+        }
+}
+
+TEST(LevelsPlan, EndsWithTheBytesOfThePlan) {
+    const Curve curve = curve_over(system_of("L->SL, S->L"), 3, Ends::Circular, 60, 3, 7);
+    const LevelsPlan levels(curve.system(), 3, curve.word(), curve.ends(), 11);
+    std::vector<double> out(levels.output_size() * 3);
+    levels.apply<double>(curve.points(), 3, out);
+    const std::vector<double> last(out.begin() + static_cast<std::ptrdiff_t>(levels.start(11) * 3), out.end());
+    EXPECT_TRUE(same_bytes(last, planned(curve, 11)));
+}
+
+TEST(LevelsPlan, RefusesNoStepsAndWrongSizes) {
+    const Curve curve = curve_over(system_of("L->SL, S->L"), 2, Ends::Circular, 5, 3, 9);
+    EXPECT_THROW(LevelsPlan(curve.system(), 2, curve.word(), curve.ends(), 0), std::invalid_argument);
+    const LevelsPlan plan(curve.system(), 2, curve.word(), curve.ends(), 2);
+    std::vector<double> out(plan.output_size() * 3 + 3);
+    EXPECT_THROW(plan.apply<double>(curve.points(), 3, out), std::invalid_argument);
+    EXPECT_THROW((void)plan.start(3), std::out_of_range);
 }
 
 TEST(Plan, OfNoStepsCopies) {

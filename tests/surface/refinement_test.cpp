@@ -2,6 +2,7 @@
 
 #include "internode/surface/refinement.h"
 
+#include "internode/surface/grid_plan.h"
 #include "tests/reference/random_grid.h"
 #include "tests/reference/small_grammars.h"
 
@@ -154,6 +155,22 @@ TEST(GridRefinement, RefusesNegativeSteps) {
     const Grid grid = reference::grid_of({knots, knots, 1, false, {1}});
     EXPECT_THROW((void)refine(grid, -1, 0), std::invalid_argument);
     EXPECT_THROW((void)refine(grid, 0, -1), std::invalid_argument);
+}
+
+TEST(GridPlan, GivesTheSameBytesForAnyThreadsAndSet) {
+    Random random(11);
+    const Grid grid = random_grid(random, random_knots(random, fibonacci(), 3, Shape::Closed, 5),
+                                  random_knots(random, fibonacci(), 2, Shape::Clamped, 4), 3, false);
+    const GridPlan plan(grid.u(), grid.v(), 5, 6);
+    EXPECT_EQ(plan.input_rows() * plan.input_columns(), grid.size());
+    std::vector<double> expected(plan.output_rows() * plan.output_columns() * 3);
+    plan.apply(grid.points(), 3, expected);
+    for (const ApplyOptions& options : {ApplyOptions{2}, ApplyOptions{0, Isa::Plain, 100}}) {
+        std::vector<double> out(expected.size());
+        plan.apply(grid.points(), 3, out, options);
+        EXPECT_EQ(out, expected);
+    }
+    EXPECT_THROW(plan.apply(grid.points(), 2, expected), std::invalid_argument);
 }
 
 } // namespace

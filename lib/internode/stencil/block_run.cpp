@@ -2,10 +2,9 @@
 
 #include "internode/stencil/block_run.h"
 
+#include "internode/stencil/parallel.h"
+
 #include <algorithm>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 #include <type_traits>
 
 namespace internode {
@@ -46,12 +45,6 @@ std::vector<Task> tasks_of(const FusedStencils& stencils, const State* states, s
     return tasks;
 }
 
-/// As many threads as asked for, 0 for all; never more than oneTBB has: it would print a warning.
-int concurrency(int threads) {
-    const auto most = static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-    return threads == 0 ? most : std::min(threads, most);
-}
-
 template<typename Scalar, typename State>
 class BlockRun {
 public:
@@ -77,12 +70,7 @@ public:
         const auto run_task = [&](std::size_t task) {
             run_cells(tasks[task], kernel, out + tasks[task].first_point * dimension, store);
         };
-        if (options.threads == 1 || tasks.size() == 1) {
-            for (std::size_t task = 0; task < tasks.size(); ++task) run_task(task);
-            return;
-        }
-        tbb::task_arena arena(concurrency(options.threads));
-        arena.execute([&] { tbb::parallel_for(std::size_t{0}, tasks.size(), run_task); });
+        for_each_task(tasks.size(), options.threads, run_task);
     }
 
 private:

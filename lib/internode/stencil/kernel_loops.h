@@ -67,6 +67,18 @@ inline void combine(const Scalar* parents, const Scalar* weights, std::size_t ro
     }
 }
 
+/// A whole vector to an address that is a multiple of its size, past the caches.
+template<typename Vector, typename Scalar>
+inline void stream(const Vector& vector, Scalar* to) {
+#if defined(__AVX__)
+    _mm256_stream_si256(reinterpret_cast<__m256i*>(to), (__m256i)vector);
+#elif defined(__SSE2__)
+    _mm_stream_si128(reinterpret_cast<__m128i*>(to), (__m128i)vector);
+#else
+    store(vector, to);
+#endif
+}
+
 inline void copy_streamed(const char* from, std::size_t bytes, char* to) {
 #if defined(__SSE2__)
     for (std::size_t i = 0; i < bytes; i += sizeof(__m128i)) {
@@ -194,7 +206,7 @@ inline void combine_columns(const Scalar* parents, const Scalar* weights, std::s
         Vector sum = weights[0] * load<Vector>(parents + column);
         for (std::size_t k = 1; k < width; ++k) sum = sum + weights[k] * load<Vector>(parents + k * dimension + column);
         if (store == Store::Streamed)
-            copy_streamed(reinterpret_cast<const char*>(&sum), sizeof sum, reinterpret_cast<char*>(out + column));
+            stream(sum, out + column);
         else
             internode::store(sum, out + column);
     }

@@ -4,6 +4,8 @@
 
 #include "internode/stencil/block_run.h"
 #include "internode/stencil/coordinate_buffer.h"
+#include "internode/stencil/levels.h"
+#include "internode/stencil/parallel.h"
 
 #include <algorithm>
 #include <numeric>
@@ -14,40 +16,6 @@ namespace {
 
 /// The points before the last block are at most this part of the output, where tables allow it (docs/promises.md, P4).
 constexpr std::uint64_t least_growth = 12;
-
-/// Which states occur after 0, 1, … steps, and how many cells there are.
-struct Levels {
-    std::vector<std::uint64_t> sizes;
-    std::vector<std::vector<bool>> occupied;
-};
-
-std::vector<bool> present(const std::vector<std::uint64_t>& cells_of) {
-    std::vector<bool> result;
-    result.reserve(cells_of.size());
-    for (const std::uint64_t count : cells_of) result.push_back(count > 0);
-    return result;
-}
-
-Levels levels_of(const StencilAutomaton& automaton, const std::vector<std::uint32_t>& cells, int steps) {
-    constexpr std::uint64_t most = std::uint64_t{1} << 62;
-    std::vector<std::uint64_t> cells_of(automaton.state_count());
-    for (const std::uint32_t state : cells) ++cells_of[state];
-    Levels levels{{cells.size()}, {present(cells_of)}};
-    for (int step = 0; step < steps; ++step) {
-        std::vector<std::uint64_t> next(cells_of.size());
-        std::uint64_t total = 0;
-        for (std::uint32_t state = 0; state < cells_of.size(); ++state)
-            for (const StencilAutomaton::Child& child : automaton.children(state)) {
-                next[child.state] += cells_of[state];
-                total += cells_of[state];
-                if (total > most) throw std::length_error("a refinement to more than 2^62 points");
-            }
-        cells_of = std::move(next);
-        levels.sizes.push_back(total);
-        levels.occupied.push_back(present(cells_of));
-    }
-    return levels;
-}
 
 /// Chooses how many steps go together.
 class BlockChoice {
@@ -116,9 +84,9 @@ std::shared_ptr<const FusedStencils> table_of(const StencilAutomaton& automaton,
     return made ? std::make_shared<const FusedStencils>(*std::move(made)) : nullptr;
 }
 
-/// Output sizes are multiplied by dimensions that come from the caller.
+/// The counts come from the caller.
 std::size_t coordinates(std::uint64_t points, std::size_t dimension) {
-    if (dimension == 0) throw std::invalid_argument("a point needs at least one coordinate");
+    if (dimension == 0) throw std::invalid_argument("no coordinates, or no polygons");
     if (points > SIZE_MAX / dimension) throw std::length_error("more coordinates than memory has addresses");
     return points * dimension;
 }
@@ -156,41 +124,70 @@ std::uint64_t RefinementPlan::work_bytes(std::size_t dimension, std::size_t scal
     const std::uint64_t each = dimension * scalar_bytes + CellArray::bytes_for(automaton_->state_count());
     std::uint64_t most = 0;
     for (std::size_t i = 0; i + 1 < blocks_.size(); ++i) {
-        const std::uint64_t before = i == 0 ? 0 : sizes_[static_cast<std::size_t>(blocks_[i].first_step)];
-        const std::uint64_t after = sizes_[static_cast<std::size_t>(blocks_[i + 1].first_step)];
+        const std::uint64_t before = i == 0 ? 0 : size_before(blocks_[i]);
+        const std::uint64_t after = size_before(blocks_[i + 1]);
         most = std::max(most, (before + after) * each);
     }
     return most;
 }
 
+std::vector<CellArray> RefinementPlan::block_cells() const {
+    std::vector<CellArray> cells;
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+        if (i == 0)
+            cells.emplace_back(cells_, automaton_->state_count());
+        else
+            cells.push_back(cells.back().refined(*blocks_[i - 1].stencils, size_before(blocks_[i])));
+    }
+    return cells;
+}
+
+template<typename Scalar>
+void RefinementPlan::apply_blocks(const std::vector<CellArray>& cells, const Scalar* points, std::size_t dimension,
+                                  Scalar* out, const ApplyOptions& options) const {
+    if (blocks_.empty()) std::copy_n(points, coordinates(input_size(), dimension), out);
+    CoordinateBuffer<Scalar> before;
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+        const bool last = i + 1 == blocks_.size();
+        CoordinateBuffer<Scalar> after;
+        if (!last) after = CoordinateBuffer<Scalar>(coordinates(size_before(blocks_[i + 1]), dimension));
+        const Scalar* const parents = i == 0 ? points : before.data();
+        run_block<Scalar>(*blocks_[i].stencils, cells[i], {parents, dimension}, last ? out : after.data(), options);
+        before = std::move(after);
+    }
+}
+
 template<typename Scalar>
 void RefinementPlan::apply(std::span<const Scalar> points, std::size_t dimension, std::span<Scalar> out,
                            const ApplyOptions& options) const {
-    if (points.size() != coordinates(input_size(), dimension) || out.size() != coordinates(output_size(), dimension))
+    apply_each(points, 1, dimension, out, options);
+}
+
+template<typename Scalar>
+void RefinementPlan::apply_each(std::span<const Scalar> points, std::size_t polygons, std::size_t dimension,
+                                std::span<Scalar> out, const ApplyOptions& options) const {
+    const std::size_t before = coordinates(input_size(), dimension);
+    const std::size_t after = coordinates(output_size(), dimension);
+    if (points.size() != coordinates(before, polygons) || out.size() != coordinates(after, polygons))
         throw std::invalid_argument("the points do not have the sizes of the plan");
-    if (blocks_.empty()) {
-        std::ranges::copy(points, out.begin());
+    const std::vector<CellArray> cells = block_cells();
+    if (polygons == 1) {
+        apply_blocks(cells, points.data(), dimension, out.data(), options);
         return;
     }
-    CellArray cells(cells_, automaton_->state_count());
-    CoordinateBuffer<Scalar> before;
-    const Scalar* parents = points.data();
-    for (const Block& block : blocks_) {
-        const auto level = static_cast<std::size_t>(block.first_step);
-        const bool last = &block == &blocks_.back();
-        const std::uint64_t count = sizes_[level + static_cast<std::size_t>(block.stencils->steps)];
-        CoordinateBuffer<Scalar> after;
-        if (!last) after = CoordinateBuffer<Scalar>(coordinates(count, dimension));
-        run_block<Scalar>(*block.stencils, cells, {parents, dimension}, last ? out.data() : after.data(), options);
-        if (!last) cells = cells.refined(*block.stencils, count);
-        before = std::move(after);
-        parents = before.data();
-    }
+    const ApplyOptions inner{1, options.isa, options.grain};
+    for_each_task(polygons, options.threads, [&](std::size_t polygon) {
+        apply_blocks(cells, points.data() + polygon * before, dimension, out.data() + polygon * after, inner);
+    });
 }
 
 template void RefinementPlan::apply(std::span<const double> points, std::size_t dimension, std::span<double> out,
                                     const ApplyOptions& options) const;
 template void RefinementPlan::apply(std::span<const float> points, std::size_t dimension, std::span<float> out,
                                     const ApplyOptions& options) const;
+template void RefinementPlan::apply_each(std::span<const double> points, std::size_t polygons, std::size_t dimension,
+                                         std::span<double> out, const ApplyOptions& options) const;
+template void RefinementPlan::apply_each(std::span<const float> points, std::size_t polygons, std::size_t dimension,
+                                         std::span<float> out, const ApplyOptions& options) const;
 
 } // namespace internode

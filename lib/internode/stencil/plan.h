@@ -10,7 +10,7 @@
 
 #pragma once
 
-#include "internode/stencil/fused_stencils.h"
+#include "internode/stencil/cell_array.h"
 #include "internode/stencil/kernel.h"
 
 #include <cstdint>
@@ -48,6 +48,8 @@ public:
     /// How many steps each block does at once, first to last.
     [[nodiscard]] std::vector<int> blocks() const;
     [[nodiscard]] const StencilAutomaton& automaton() const { return *automaton_; }
+    /// The state of each cell of the word.
+    [[nodiscard]] const std::vector<std::uint32_t>& cells() const { return cells_; }
     /// Bytes that apply() needs beside input and output, for points of `dimension` coordinates of `scalar_bytes`.
     [[nodiscard]] std::uint64_t work_bytes(std::size_t dimension, std::size_t scalar_bytes) const;
 
@@ -57,11 +59,26 @@ public:
     void apply(std::span<const Scalar> points, std::size_t dimension, std::span<Scalar> out,
                const ApplyOptions& options = {}) const;
 
+    /// The same for `polygons` polygons over the same word, one after the other in both spans; they, not their points,
+    /// are shared among the threads. \throw std::invalid_argument for other sizes
+    template<typename Scalar>
+    void apply_each(std::span<const Scalar> points, std::size_t polygons, std::size_t dimension, std::span<Scalar> out,
+                    const ApplyOptions& options = {}) const;
+
 private:
     struct Block {
         int first_step = 0;
         std::shared_ptr<const FusedStencils> stencils;
     };
+
+    [[nodiscard]] std::uint64_t size_before(const Block& block) const {
+        return sizes_[static_cast<std::size_t>(block.first_step)];
+    }
+    /// The states of the cells before each block.
+    [[nodiscard]] std::vector<CellArray> block_cells() const;
+    template<typename Scalar>
+    void apply_blocks(const std::vector<CellArray>& cells, const Scalar* points, std::size_t dimension, Scalar* out,
+                      const ApplyOptions& options) const;
 
     std::shared_ptr<const StencilAutomaton> automaton_;
     std::vector<std::uint32_t> cells_; ///< state of each cell of the word
