@@ -30,6 +30,7 @@ ExitCode run(const LimitsOptions&, const Context&) {
     text += row("degree of a spline", max_degree, "");
     text += row("states of a stencil automaton", max_states, "states");
     text += row("words in a table of masks", max_table_words, "words");
+    text += row("letters in the rules of steps at once (masks --steps)", max_fused_letters, "letters");
     text += row("words drawn on a circle", max_drawn_words, "words");
     text += row("points of a refinement (--max-points)", SubdivideOptions{}.polygon.max_points, "points");
     text += row("letters of `word` (--max-letters)", WordOptions{}.max_letters, "letters");

@@ -14,6 +14,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace internode::cli {
 namespace {
 
@@ -54,12 +56,26 @@ void write_matrix(Sink& sink, const IntervalSystem& system, const MasksOptions& 
     write_matrix_market(sink, {matrix.rows, matrix.columns, entries}, comments);
 }
 
-/// The automaton of --word, else of the axiom, else of the words that persist (or of all).
-AutomatonExport chosen_automaton(const IntervalSystem& system, const MasksOptions& options) {
-    const std::string name = display_name(system.grammar(), options.grammar);
-    if (options.word.empty())
-        return export_automaton(name, system, options.degree, options.all ? WordChoice::All : WordChoice::Default,
-                                max_table_words);
+/// The system of `steps` steps at once, where its rules are not too long.
+IntervalSystem several_steps(const IntervalSystem& system, std::uint64_t steps) {
+    if (steps < 1) throw failure(ExitCode::Usage, "--steps of an automaton is at least 1");
+    Word symbols;
+    for (std::size_t i = 0; i < system.alphabet().size(); ++i) symbols.push_back(to_symbol(i));
+    const std::uint64_t most = std::max<std::uint64_t>(max_fused_letters, symbols.size());
+    if (steps > 1 && letter_counts(system.rules(), symbols, steps, most).saturated)
+        throw failure(ExitCode::Refused,
+                      fmt::format("the rules of {} steps at once have more than {} letters", steps, most),
+                      "fewer steps at once");
+    return power(system, static_cast<int>(steps));
+}
+
+/// The automaton of --word, else of the axiom, else of the words that persist (or of all); of so many steps at once.
+AutomatonExport chosen_automaton(const IntervalSystem& once, const MasksOptions& options) {
+    const IntervalSystem system = several_steps(once, options.steps);
+    std::string name = display_name(once.grammar(), options.grammar);
+    if (options.steps > 1) name = fmt::format("{}^{}", name, options.steps);
+    const WordChoice choice = options.all ? WordChoice::All : WordChoice::Default;
+    if (options.word.empty()) return export_automaton(name, system, options.degree, choice, max_table_words);
     const Axiom word = load_word(options.word, system.alphabet()).axiom;
     check_fits(system, options.degree, word, "--word");
     return export_automaton(name, system, options.degree, word, max_table_words);
@@ -67,7 +83,8 @@ AutomatonExport chosen_automaton(const IntervalSystem& system, const MasksOption
 
 std::string automaton_text(const std::string& format, const IntervalSystem& system, const MasksOptions& options,
                            const Context& context) {
-    const AutomatonExport automaton = chosen_automaton(system, options);
+    AutomatonExport automaton = chosen_automaton(system, options);
+    automaton.steps = options.steps;
     if (format == "c") return automaton_c(automaton, generator(context));
     if (format == "glsl") return automaton_glsl(automaton, generator(context));
     return automaton_json(automaton, generator(context));
@@ -94,6 +111,8 @@ ExitCode run(const MasksOptions& options, const Context& context) {
     const bool is_code = format == "c" || format == "glsl";
     if (options.automaton && format != "json" && !is_code)
         throw failure(ExitCode::Usage, fmt::format("--automaton has no {} form", format), "use JSON, c or glsl");
+    if (options.steps != 1 && !options.automaton && !is_code)
+        throw failure(ExitCode::Usage, "--steps belongs to --automaton, --format c and --format glsl");
     const IntervalSystem system = load_system(options.grammar);
     if (system.grammar().axiom && !options.all && options.word.empty())
         check_fits(system, options.degree, *system.grammar().axiom, "the axiom");

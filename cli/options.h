@@ -15,6 +15,9 @@ namespace internode::cli {
 /// Words that `masks` tabulates at most.
 inline constexpr std::size_t max_table_words = 200'000;
 
+/// Letters that the rules of an automaton of several steps may have together: a row of weights each, for every window.
+inline constexpr std::uint64_t max_fused_letters = 10'000;
+
 enum class Color { Auto, Always, Never };
 
 /// Said before or after any command.
@@ -48,7 +51,8 @@ struct MasksOptions {
     int degree = 0;
     bool all = false;
     bool automaton = false;
-    std::string word; ///< of --matrix and of an automaton; empty = the axiom
+    std::uint64_t steps = 1; ///< of an automaton: so many at once
+    std::string word;        ///< of --matrix and of an automaton; empty = the axiom
 };
 
 /// How the word of a polygon is said on the command line.

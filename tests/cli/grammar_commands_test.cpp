@@ -127,6 +127,21 @@ TEST(Masks, ExportsTheAutomatonAsJsonAndAsCode) {
     EXPECT_EQ(here.run({"masks", "-e", "L->SL, S->L; axiom LS", "-d", "3", "--format", "c"}).code, 3);
 }
 
+TEST(Masks, ExportsSeveralStepsAtOnce) {
+    const Workspace here;
+    const Outcome fused = here.run({"masks", "@fibonacci", "-d", "2", "--automaton", "--steps", "3"});
+    EXPECT_EQ(fused.code, 0) << fused.err;
+    EXPECT_THAT(fused.out, HasSubstr("\"steps\": 3"));
+    EXPECT_THAT(fused.out, HasSubstr("\"exact\": [\"1\", \"2\"]")) << "the ratio is φ³ = 1 + 2φ";
+    EXPECT_THAT(here.run({"masks", "@fibonacci", "-d", "2", "--format", "c", "-n", "3"}).out,
+                HasSubstr("fibonacci_3_2_step("));
+    for (const char* many : {"25", "1000000000000"}) {
+        const Outcome refused = here.run({"masks", "@fibonacci", "-d", "2", "--format", "c", "-n", many});
+        EXPECT_EQ(refused.code, 3);
+        EXPECT_THAT(refused.err, HasSubstr("more than 10000 letters"));
+    }
+}
+
 TEST(Masks, RefusesWhatCannotBeShown) {
     const Workspace here;
     const Outcome circle = here.run({"masks", "@fibonacci", "-d", "7", "--all", "--svg"});

@@ -94,6 +94,8 @@ TEST(Usage, WrongArgumentsAreExitTwo) {
          "limit.obj"},
         {"masks", "@fibonacci", "-d", "2", "--svg", "-o", "masks.json"},
         {"masks", "@fibonacci", "-d", "2", "--automaton", "--dot"},
+        {"masks", "@fibonacci", "-d", "2", "--steps", "2"},
+        {"masks", "@fibonacci", "-d", "2", "--automaton", "--steps", "0"},
         {"masks", "@fibonacci", "-d", "2", "--automaton", "-o", "automaton.svg"},
         {"converge", "@fibonacci", "data/curves/fibonacci-open.json", "-n", "1", "--html", "-"},
         {"converge", "@fibonacci", "data/curves/fibonacci-open.json", "-n", "1", "--tolerance", "0"},

@@ -185,8 +185,12 @@ class System:
     def __init__(self, document):
         self.field = Field(document["field"]["minimal_polynomial"], document["field"]["root"])
         self.ratio = read_number(self.field, document["ratio"], "ratio")
-        require(self.ratio == self.field.generator(), "the ratio is not the generator of its field")
-        require(self.ratio.to_float() == document["field"]["root"], "the root is not the nearest double")
+        generator = self.field.generator()
+        power = generator
+        for _ in range(document.get("steps", 1) - 1 if isinstance(document.get("steps", 1), int) else 0):
+            power = power * generator
+        require(self.ratio == power, "the ratio is not the generator of its field to the power of the steps")
+        require(generator.to_float() == document["field"]["root"], "the root is not the nearest double")
         self.rules = document["grammar"]["rules"]
         self.axiom = document["grammar"]["axiom"]
         self.lengths = {"0": self.field.constant(0)}

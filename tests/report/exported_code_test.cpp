@@ -45,7 +45,9 @@ Curve curve_over(reference::Random& random, const IntervalSystem& system, int de
                  std::size_t dimension) {
     CurveData data{degree, ends, word, dimension, {}};
     const std::size_t points = ends == Ends::Open ? word.size() - static_cast<std::size_t>(degree) : word.size();
-    for (std::size_t i = 0; i < points * dimension; ++i) data.points.push_back(100 * random.coordinate());
+    // Zeros of both signs among them: a sum that left out a weight of 0 would show by the sign of a zero.
+    for (std::size_t i = 0; i < points * dimension; ++i)
+        data.points.push_back(i % 7 == 3 ? (i % 2 == 0 ? 0.0 : -0.0) : 100 * random.coordinate());
     return reference::curve_of(system, std::move(data));
 }
 
@@ -55,7 +57,7 @@ void add_cases(std::vector<Case>& cases, const std::string& name, const Interval
     reference::Random random(static_cast<std::uint32_t>(cases.size()) + 7);
     const auto d = static_cast<std::size_t>(degree);
     Case open{export_automaton(name, system, degree, WordChoice::Persistent, max_states), {}, {}};
-    Case closed{{name + " closed", system, "word", make_automaton(system, degree, {}, max_states)}, {}, {}};
+    Case closed{{name + " closed", system, "word", make_automaton(system, degree, {}, max_states), 1}, {}, {}};
     std::vector<CellState> cells;
     for (std::size_t dimension = 1; dimension <= 4; ++dimension) {
         const Word word = far_word(system, 2 * d + 5 + dimension);

@@ -75,12 +75,12 @@ AutomatonExport export_automaton(const std::string& name, const IntervalSystem& 
     const std::size_t letters = 2 * static_cast<std::size_t>(degree) - 1;
     const std::vector<Word> windows = word_graph(system, letters, choice, limit).words;
     return {name, system, choice == WordChoice::All ? "all" : "persistent",
-            make_automaton(system, degree, cells_of_windows(windows, degree), limit)};
+            make_automaton(system, degree, cells_of_windows(windows, degree), limit), 1};
 }
 
 AutomatonExport export_automaton(const std::string& name, const IntervalSystem& system, int degree, const Axiom& word,
                                  std::size_t limit) {
-    return {name, system, "word", make_automaton(system, degree, cell_states(word.word, degree, word.ends), limit)};
+    return {name, system, "word", make_automaton(system, degree, cell_states(word.word, degree, word.ends), limit), 1};
 }
 
 std::string automaton_json(const AutomatonExport& automaton, const Generator& generator) {
@@ -90,6 +90,7 @@ std::string automaton_json(const AutomatonExport& automaton, const Generator& ge
     write_heading(json, "internode-automaton", generator);
     json.key("degree").integer(static_cast<std::size_t>(automaton.automaton.degree()));
     json.key("start").string(automaton.start);
+    json.key("steps").integer(automaton.steps);
     write_system(json, automaton.system);
     write_states(json, automaton);
     write_rows(json, automaton);

@@ -12,6 +12,7 @@
 #include "internode/stencil/automaton.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct AutomatonExport {
     IntervalSystem system;
     std::string start; ///< "persistent" or "all": the words above; "axiom" or "word": one word and what it becomes
     StencilAutomaton automaton;
+    std::uint64_t steps = 1; ///< of the grammar at once: `system` is a power of it (interval/interval_system.h)
 };
 
 /// The cells of the words above: each window with z = 0 … d, and every cell of 0^d window 0^d.
