@@ -136,7 +136,7 @@ void Reader::add_output(CLI::App* app, OutputTarget& output, const std::vector<s
 }
 
 void Reader::add_polygon(CLI::App* app, PolygonOptions& polygon) {
-    app->add_option("POLYGON", polygon.place, "Control polygon: CSV or JSON file, or -");
+    app->add_option("POLYGON", polygon.place, "Control polygon: CSV, JSON or free-form OBJ file, or -");
     app->add_option("-d,--degree", polygon.degree, "Degree of the B-spline, 1 to 12 (default: the JSON's)")
         ->check(CLI::Range(1, max_degree));
     app->add_option("--word", polygon.word, "The intervals: N letters closed, N+d open ('0^3 (LS)^9 0^3')")
@@ -152,6 +152,11 @@ void Reader::add_polygon(CLI::App* app, PolygonOptions& polygon) {
     closed->excludes(open)->excludes(clamped);
     open->excludes(clamped);
     app->add_flag("--rational", polygon.rational, "The last coordinate of a point is its weight (JSON: \"weights\")");
+    app->add_option_function<std::string>(
+           "--element", [&polygon](const std::string& text) { polygon.element = whole_number(text); },
+           "Which curve or surface of an OBJ file, from 1")
+        ->type_name("K")
+        ->check(CLI::Validator(whole_number_problem, ""));
     add_count(app, "--max-points", polygon.max_points, "Refuse more points than this (default 100000000)");
 }
 
@@ -337,7 +342,7 @@ void settle_places(Options& options) {
     if (options.grammar.expression && options.polygon.place.empty())
         std::swap(options.grammar.place, options.polygon.place);
     if (options.polygon.place.empty())
-        throw failure(ExitCode::Usage, "no control polygon", "give a CSV or JSON file, or - for stdin");
+        throw failure(ExitCode::Usage, "no control polygon", "give a CSV, JSON or OBJ file, or - for stdin");
     if (options.polygon.place == "-" && options.grammar.place == "-")
         throw failure(ExitCode::Usage, "grammar and polygon cannot both come from stdin");
 }

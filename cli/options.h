@@ -59,7 +59,8 @@ struct MasksOptions {
 enum class EndsOption { Unsaid, Open, Closed, Clamped };
 
 struct PolygonOptions {
-    std::string place; ///< CSV or JSON file, `-` for stdin
+    std::string place;                    ///< CSV, JSON or OBJ file, `-` for stdin
+    std::optional<std::uint64_t> element; ///< --element: which curve or surface of an OBJ file, from 1
     std::optional<int> degree;
     std::string word; ///< --word; empty = the JSON's, or the axiom
     bool repeat = false;

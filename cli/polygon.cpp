@@ -3,10 +3,11 @@
 #include "cli/polygon.h"
 
 #include "cli/exit_code.h"
+#include "cli/free_form.h"
 #include "cli/load.h"
 #include "cli/symbols.h"
 #include "internode/grammar/diagnostic.h"
-#include "internode/io/polygon.h"
+#include "internode/io/free_form_input.h"
 
 #include <fmt/format.h>
 
@@ -22,8 +23,17 @@ struct SaidWord {
     std::string origin; ///< "--word", "the polygon's word", "the axiom"
 };
 
-InputPolygon read_polygon_file(const std::string& place) {
-    const LoadedText input = load_text(place);
+InputPolygon read_polygon_file(const PolygonOptions& options) {
+    const LoadedText input = load_text(options.place);
+    if (is_obj(input)) {
+        const FreeFormFile file = load_free_forms(input);
+        const FreeForm& element = chosen_element(file, options.element);
+        if (element.v)
+            throw failure(ExitCode::Refused, fmt::format("{} is a surface", element_name(file, element)),
+                          "a surface has a grammar along each side: --u G --v G");
+        return free_form_polygon(file, element);
+    }
+    refuse_element(options.element, input);
     ParsedPolygon parsed = read_polygon(input.text, input.source);
     if (!parsed.polygon) throw Failure(ExitCode::Refused, to_string(parsed.errors));
     return *std::move(parsed.polygon);
@@ -159,7 +169,8 @@ Labels labels_of_knots(const IntervalSystem& system, const PolygonOptions& optio
         throw failure(ExitCode::Refused,
                       fmt::format("the knots of {} leave nothing to --word, --repeat and --clamped", polygon.source));
     const EndsOption ends = settled_ends(options, polygon, {});
-    KnotWord knots = word_of_knots(system, polygon, degree, ends == EndsOption::Closed ? Ends::Circular : Ends::Open);
+    KnotWord knots = word_of_knots(system, polygon, polygon.size(), degree,
+                                   ends == EndsOption::Closed ? Ends::Circular : Ends::Open);
     const std::optional<Axiom>& axiom = knots.system.grammar().axiom;
     if (axiom && axiom->word != knots.word)
         throw failure(ExitCode::Refused, fmt::format("the knots of {} ({} intervals) and the grammar's axiom ({} "
@@ -197,7 +208,7 @@ std::string base_name(const std::string& source) {
 } // namespace
 
 LoadedCurve load_curve(const IntervalSystem& system, const PolygonOptions& options) {
-    InputPolygon polygon = read_polygon_file(options.place);
+    InputPolygon polygon = read_polygon_file(options);
     if (options.rational) take_weights(polygon);
     const int degree = settled_degree(options, polygon);
     const IntervalSystem scaled = fixed_lengths(system, polygon);

@@ -76,8 +76,9 @@ std::vector<FixedLength> said_lengths(const IntervalSystem& system, const InputP
     return lengths;
 }
 
-KnotVector knot_vector(const IntervalSystem& system, const InputPolygon& polygon, int degree, Ends ends) {
-    KnotVector vector{.degree = degree, .ends = ends, .points = polygon.size(), .knots = {}};
+KnotVector knot_vector(const IntervalSystem& system, const InputPolygon& polygon, std::size_t points, int degree,
+                       Ends ends) {
+    KnotVector vector{.degree = degree, .ends = ends, .points = points, .knots = {}};
     vector.knots.reserve(polygon.knots->size());
     for (const InputNumber& knot : *polygon.knots) {
         if (knot.size() > system.field().degree())
@@ -111,12 +112,13 @@ IntervalSystem fixed_lengths(const IntervalSystem& system, const InputPolygon& p
     throw Failure(ExitCode::Refused, text);
 }
 
-KnotWord word_of_knots(const IntervalSystem& system, const InputPolygon& polygon, int degree, Ends ends) {
-    FittedKnots fitted = fit_knots(system, knot_vector(system, polygon, degree, ends));
+KnotWord word_of_knots(const IntervalSystem& system, const InputPolygon& polygon, std::size_t points, int degree,
+                       Ends ends, const std::string& along) {
+    FittedKnots fitted = fit_knots(system, knot_vector(system, polygon, points, degree, ends));
     if (fitted.fitted) return *std::move(fitted.fitted);
     std::string text;
     for (const std::string& problem : fitted.problems)
-        text += fmt::format("{}: error: {}\n", printable(polygon.source), printable(problem));
+        text += fmt::format("{}: error: {}{}\n", printable(polygon.source), along, printable(problem));
     text += "hint: any knots fit a grammar of one symbol (@bisection, @trisection); others have their lengths, at a "
             "scale that \"lengths\" may say\n";
     throw Failure(ExitCode::Refused, text);

@@ -17,7 +17,9 @@ namespace internode::cli {
 /// says how each of them splits. \throw Failure (Refused) with every conflict
 [[nodiscard]] IntervalSystem fixed_lengths(const IntervalSystem& system, const InputPolygon& polygon);
 
-/// The word of the knots in the file. \throw Failure (Refused) with what does not fit
-[[nodiscard]] KnotWord word_of_knots(const IntervalSystem& system, const InputPolygon& polygon, int degree, Ends ends);
+/// The word of the knots in the file, for so many points of a curve or along one side of a grid. \throw Failure
+/// (Refused) with what does not fit; `along` stands before each problem
+[[nodiscard]] KnotWord word_of_knots(const IntervalSystem& system, const InputPolygon& polygon, std::size_t points,
+                                     int degree, Ends ends, const std::string& along = {});
 
 } // namespace internode::cli

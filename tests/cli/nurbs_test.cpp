@@ -149,5 +149,38 @@ TEST_F(Nurbs, SymbolsOfAFileAreNamedLikeThoseOfAGrammar) {
     refused({"@bisection", "part.json", "-n", "1"}, "`C` is no symbol");
 }
 
+const std::string lines = "v 0 0 0\nv 1 0 0\nv 1 1 0\ncstype bspline\ndeg 1\n"
+                          "curv 0 1 1 2\nparm u 0 0 1 1\nend\ncurv 0 3 1 2 3\nparm u 0 0 1 3 3\nend\n";
+
+TEST_F(Nurbs, ObjFilesAreCurvesWithKnots) {
+    const Outcome limit = run({"@bisection", "data/curves/circle.obj", "-n", "10", "--limit"});
+    ASSERT_EQ(limit.code, 0) << limit.err;
+    EXPECT_LE(worst_radius(limit.out, 1), 1e-13);
+    here.file("lines.obj", lines);
+    EXPECT_EQ(run({"@bisection", "lines.obj", "--element", "2", "-n", "0"}).out, "x,y,z\n0,0,0\n1,0,0\n1,1,0\n");
+    EXPECT_EQ(here.run({"subdivide", "@bisection", "-", "--element", "1", "-n", "1"}, lines).out,
+              "x,y,z\n0,0,0\n0.5,0,0\n1,0,0\n");
+    EXPECT_EQ(here.run({"converge", "@bisection", "lines.obj", "--element", "1", "-n", "1"}).code, 0);
+    EXPECT_EQ(run({"@bisection", "lines.obj", "--element", "1", "-d", "2", "-n", "1"}).code, 3);
+}
+
+TEST_F(Nurbs, RefusesObjFilesWithTheirLines) {
+    here.file("lines.obj", lines);
+    refused({"@bisection", "lines.obj", "-n", "1"}, "2 curves and surfaces");
+    refused({"@bisection", "lines.obj", "--element", "3", "-n", "1"}, "no element 3");
+    refused({"@bisection", "lines.obj", "--element", "0", "-n", "1"}, "no element 0");
+    refused({"@bisection", "ramp.json", "--element", "1", "-n", "1"}, "is no OBJ file");
+    refused({"@fibonacci", "lines.obj", "--element", "2", "-n", "1"}, "not lengths of the grammar");
+    for (const std::string index : {"0", "-4", "4", "2147483648", "9223372036854775808"}) {
+        here.file("index.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\ncstype bspline\ndeg 1\ncurv 0 1 1 " + index + "\n");
+        refused({"@bisection", "index.obj", "-n", "1"}, "index.obj:6:12: error: no vertex " + index);
+    }
+    here.file("empty.obj", "");
+    refused({"@bisection", "empty.obj", "-n", "1"}, "no curve or surface of free form");
+    here.file("flat.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ncstype bspline\ndeg 1 1\nsurf 0 1 0 1 1 2 3 4\n"
+                          "parm u 0 0 1 1\nparm v 0 0 1 1\nend\n");
+    refused({"@bisection", "flat.obj", "-n", "1"}, "element 1 of flat.obj (line 7) is a surface");
+}
+
 } // namespace
 } // namespace internode::tests

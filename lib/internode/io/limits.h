@@ -16,16 +16,18 @@ inline constexpr std::uint64_t max_file_bytes = std::uint64_t{1} << 30; ///< any
 inline constexpr std::uint64_t max_json_depth = 200;                    ///< brackets open at once
 inline constexpr std::uint64_t max_json_values = 20'000'000;            ///< held in less than 2 GB
 inline constexpr std::uint64_t max_knots = 5'000'000;                   ///< exact numbers, of 100 bytes and more each
+inline constexpr std::uint64_t max_obj_vertices = 40'000'000;           ///< of 32 bytes; and as many indices
 inline constexpr std::uint64_t max_dimension = 64;                      ///< coordinates of a point
 inline constexpr std::uint64_t max_input_degree = 1'000'000;            ///< so that points + degree never wraps
 inline constexpr std::uint64_t max_polygon_errors = 100;                ///< a table is given up after so many errors
 inline constexpr std::uint64_t max_shown_line_bytes = 4096;             ///< longer source lines are not quoted
 
-inline constexpr std::array<Limit, 8> input_limits{{
+inline constexpr std::array<Limit, 9> input_limits{{
     {"input file", max_file_bytes, "bytes"},
     {"JSON depth", max_json_depth, "open brackets"},
     {"JSON values", max_json_values, "values"},
     {"knots of a file", max_knots, "knots"},
+    {"vertices, and indices of elements, of an OBJ file", max_obj_vertices, "vertices"},
     {"polygon dimension", max_dimension, "coordinates"},
     {"polygon degree as read", max_input_degree, ""},
     {"polygon errors", max_polygon_errors, "errors"},
