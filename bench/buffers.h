@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+//
+// Memory of the two regimes. Reused: large pages, touched before. Fresh: given while the clock runs, freed after it.
+
+#pragma once
+
+#include "bench/rows.h"
+
+#include "internode/stencil/coordinate_buffer.h"
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+
+namespace internode::bench {
+
+template<typename Scalar>
+[[nodiscard]] std::shared_ptr<CoordinateBuffer<Scalar>> touched_buffer(std::size_t size) {
+    auto buffer = std::make_shared<CoordinateBuffer<Scalar>>(size);
+    std::ranges::fill(buffer->values(), Scalar{});
+    return buffer;
+}
+
+/// A copy of `points` points into touched memory from touched memory.
+[[nodiscard]] inline Contestant memcpy_of(std::size_t points) {
+    auto from = touched_buffer<double>(points * dimension);
+    auto to = touched_buffer<double>(points * dimension);
+    const auto copy = [from, to] { std::memcpy(to->data(), from->data(), from->size() * sizeof(double)); };
+    return {"memcpy", static_cast<double>(points), points, [copy] { return seconds_of(copy); }};
+}
+
+} // namespace internode::bench

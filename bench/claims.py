@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: MIT
+"""The rows of the table in docs/benchmarks.md: what is compared with what, and the goal.
+
+kind: "ratio"        the cost of the cheapest of `against` over that of `contestant`, per unit of work; at least `goal`
+      "flat"         the largest over the smallest cost of a unit in the row; at most `goal`
+      "memory"       peak memory of a process over its output and input; at most `goal`
+      "first-point"  time of a fresh process over 5 ms; at most `goal`
+"""
+
+
+def ratio(work, regime, row, against, goal, said=None, contestant="internode"):
+    against = [against] if isinstance(against, str) else against
+    return {"kind": "ratio", "work": work, "regime": regime, "row": row, "contestant": contestant, "against": against,
+            "said": said or against[0], "goal": goal}
+
+
+def at_most(kind, work, regime, row, said, goal):
+    return {"kind": kind, "work": work, "regime": regime, "row": row, "said": said, "goal": goal}
+
+
+def kind(work, contestant):
+    return ratio(work, "reused", "kinds-10M-reused", "cubic", 0.7, "cubic Fibonacci, per multiply-add", contestant)
+
+
+def threads(points, regime, row, goal):
+    return ratio(f"two threads, {points} points", regime, row, "one-thread", goal, "one thread", "two-threads")
+
+
+claims = [
+    ratio("cubic Fibonacci, 1.6 k → 24 M points", "reused", "curve-24M-reused", "memcpy", 1.0, "`memcpy` of the result"),
+    ratio("cubic Fibonacci, 1 M points", "reused", "curve-1M-reused", "sisl-s1018", 20, "SISL s1018 (allocates)"),
+    ratio("", "reused", "curve-1M-reused", "a54", 4, "A5.4 by hand, knots given"),
+    ratio("", "reused", "curve-1M-reused", "eigen-sparse", 2, "Eigen sparse matrix, built beforehand"),
+    ratio("", "reused", "curve-1M-reused", "memcpy", None, "`memcpy` of the result"),
+    ratio("cubic Fibonacci, 10 M points", "fresh", "curve-10M-fresh", ["a54", "eigen-sparse", "sisl-s1018"], 1.8,
+          "best peer, fresh"),
+    ratio("", "fresh", "curve-10M-fresh", "first-touch", 0.85, "first touch of as much memory"),
+    kind("degree 2, 10 M points", "degree-2"),
+    kind("degree 5, 10 M points", "degree-5"),
+    kind("uniform A → A A, 10 M points", "uniform"),
+    kind("closed, 10 M points", "closed"),
+    kind("open, 10 M points", "open"),
+    kind("float, 10 M points", "float"),
+    ratio("bicubic grid, Fibonacci × silver, 1.5 M points", "reused", "grid-1.5M-reused", "memcpy", 0.8,
+          "`memcpy` of the result"),
+    ratio("", "reused", "grid-1.5M-reused", "separable", 1.5, "separable loop by hand, precomputed masks"),
+    ratio("bicubic grid, Fibonacci × silver, 24 M points", "reused", "grid-24M-reused", "memcpy", 0.8,
+          "`memcpy` of the result"),
+    ratio("", "reused", "grid-24M-reused", "separable", 1.5, "separable loop by hand, precomputed masks"),
+    ratio("every level kept, 14 levels to 1 M points", "reused", "levels-reused", "memcpy", 0.7, "`memcpy` of all of it"),
+    threads("24 M", "fresh", "threads-24M-fresh", 1.4),
+    threads("24 M", "reused", "threads-24M-reused", 1.0),
+    threads("90 k", "reused", "threads-90k-reused", 1.0),
+    ratio("cubic Fibonacci, 34 k points", "reused", "scripts", "scipy-insert", None, "scipy `insert`, a knot a call"),
+    ratio("", "reused", "scripts", "octave-nrbkntins", None, "octave `nrbkntins`"),
+    at_most("flat", "cost of a point, 1 M, 10 M and 100 M points", "reused", "sizes-reused", "the dearest over the cheapest",
+            1.2),
+    at_most("memory", "peak memory, 24 M points", "fresh", "", "output + input", 1.15),
+    at_most("first-point", "from the text file to the first refined point, d = 3", "fresh process", "", "5 ms", 1.0),
+]
