@@ -87,6 +87,7 @@ private:
     FormatOptions format_;
     GrammarsOptions grammars_;
     std::string color_ = "auto";
+    std::uint64_t threads_ = 0;
     bool version_ = false;
     std::vector<Command> commands_;
 };
@@ -220,6 +221,7 @@ void Reader::add_curve_commands() {
     subdivide->add_flag("--derivatives", subdivide_.derivatives,
                         "With --limit: two derivatives, tangent and curvature too");
     subdivide->add_option("--axes", subdivide_.axes, "Coordinates drawn in SVG: i,j counted from 1");
+    add_count(subdivide, "--threads", threads_, "Threads, 0 for all (default); they change no byte of the result");
     subdivide->add_flag("--plan", subdivide_.plan, "Say points, bytes, memory and states, and stop");
     commands_.push_back({subdivide, [this] { return Request(subdivide_); }});
 
@@ -292,6 +294,17 @@ void Reader::refuse_leftovers(const CLI::App& app) const {
                   meant.empty() ? fmt::format("see `{}`", where) : fmt::format("did you mean `{}`?", meant));
 }
 
+/// More threads than this are as many.
+constexpr std::uint64_t max_threads = 1024;
+
+Isa isa_of_environment() {
+    const char* const wanted = std::getenv("INTERNODE_ISA");
+    if (wanted == nullptr || *wanted == '\0') return Isa::Best;
+    if (wanted == std::string_view("plain")) return Isa::Plain;
+    if (wanted == std::string_view("avx2")) return Isa::Avx2;
+    throw failure(ExitCode::Usage, "INTERNODE_ISA is neither `plain` nor `avx2`", "it changes the speed, no result");
+}
+
 CommandLine Reader::read(int argc, const char* const* argv) {
     try {
         app_.parse(argc, argv);
@@ -302,6 +315,8 @@ CommandLine Reader::read(int argc, const char* const* argv) {
         throw failure(ExitCode::Usage, error.what());
     }
     if (color_ != "auto") common_.color = color_ == "always" ? Color::Always : Color::Never;
+    common_.threads = static_cast<int>(std::min<std::uint64_t>(threads_, max_threads));
+    common_.isa = isa_of_environment();
     refuse_leftovers(app_);
     if (version_) return {common_, VersionOptions{}};
     for (const Command& command : commands_) {
@@ -318,16 +333,18 @@ std::string base_name(const std::string& word) {
     return slash == std::string::npos || slash + 1 == word.size() ? word : word.substr(slash + 1);
 }
 
-/// The command line as outputs show it: base names, and no word about where the output goes.
+/// The command line as outputs show it: base names, and no word about what changes no byte: threads, where it goes.
 std::string public_command_line(int argc, const char* const* argv) {
     std::string text = "internode";
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i];
-        if (word == "-o" || word == "--output" || word == "--html") {
+        if (word == "-o" || word == "--output" || word == "--html" || word == "--threads") {
             ++i;
             continue;
         }
-        if (word.rfind("--output=", 0) == 0 || word.rfind("--html=", 0) == 0 || word.rfind("-o", 0) == 0) continue;
+        if (word.starts_with("--output=") || word.starts_with("--html=") || word.starts_with("--threads=") ||
+            word.starts_with("-o"))
+            continue;
         const std::string previous = argv[i - 1];
         const bool literal = previous == "-e" || previous == "--expression" || previous == "--word";
         text += ' ';

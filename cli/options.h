@@ -4,6 +4,8 @@
 
 #pragma once
 
+#include "internode/stencil/kernel.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -25,6 +27,8 @@ struct CommonOptions {
     Color color = Color::Auto;
     bool quiet = false;
     bool verbose = false;
+    int threads = 0;          ///< 0: all of the machine
+    Isa isa = Isa::Best;      ///< of INTERNODE_ISA in the environment
     std::string command_line; ///< base names, no -o: stands in the outputs
 };
 

@@ -102,19 +102,6 @@ void write_output(const std::string& path, std::string_view text) {
     output.commit();
 }
 
-Progress::Progress(const CommonOptions& common)
-    : enabled_(!common.quiet && ::isatty(STDERR_FILENO) == 1) {}
-
-Progress::~Progress() {
-    if (shown_) write_stderr("\r\x1b[K");
-}
-
-void Progress::show(std::string_view what, std::uint64_t done, std::uint64_t total) {
-    if (!enabled_ || total == 0) return;
-    shown_ = true;
-    write_stderr(fmt::format("\r\x1b[K{}: {} of {} ({} %)", what, done, total, 100 * done / total));
-}
-
 void say(const CommonOptions& common, const std::string& text) {
     std::string painted = text;
     if (wants_color(common.color)) {

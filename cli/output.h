@@ -36,20 +36,6 @@ private:
     std::string temporary_path_;
 };
 
-/// One line on stderr that says how far the work is: on a terminal only, and gone when the work ends.
-class Progress {
-public:
-    explicit Progress(const CommonOptions& common);
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
-    ~Progress();
-    void show(std::string_view what, std::uint64_t done, std::uint64_t total);
-
-private:
-    bool enabled_;
-    bool shown_ = false;
-};
-
 /// The whole of a small result. \throw Failure (File)
 void write_output(const std::string& path, std::string_view text);
 

@@ -159,11 +159,7 @@ ExitCode run(const SubdivideOptions& options, const Context& context) {
     const PictureAxes axes = chosen_axes(options.axes, loaded.space_dimension());
     Output output(options.output.file);
     Refinement refinement(loaded.curve);
-    Progress progress(context);
-    for (std::uint64_t step = 0; step < options.steps; ++step) {
-        progress.show("points", refinement.curve().size(), size.points);
-        refinement.step();
-    }
+    refinement.advance(static_cast<int>(options.steps), {context.threads, context.isa});
     if (context.verbose)
         say(context, fmt::format("{} points from {} by {} stencils of {} states\n", size.points, loaded.curve.size(),
                                  refinement.automaton().row_count(), refinement.automaton().state_count()));

@@ -206,6 +206,23 @@ TEST(Plan, NeedsLittleMemoryBesideTheOutput) {
     }
 }
 
+TEST(Plan, AdvancesARefinementWithItsStates) {
+    for (const Ends ends : {Ends::Circular, Ends::Open}) {
+        const Curve curve = curve_over(system_of("A->AB, B->AC, C->A"), 3, ends, 9, 2, 3);
+        Refinement slow(curve);
+        for (int step = 0; step < 7; ++step) slow.step();
+        Refinement fast(curve);
+        fast.advance(3);
+        fast.advance(0);
+        fast.advance(4);
+        EXPECT_EQ(fast.states(), slow.states());
+        EXPECT_EQ(fast.curve().word(), slow.curve().word());
+        EXPECT_EQ(fast.curve().step(), 7);
+        EXPECT_LE(largest_difference(fast.curve().points(), slow.curve().points()), 1e-14);
+        EXPECT_THROW(fast.advance(-1), std::invalid_argument);
+    }
+}
+
 TEST(Plan, AppliesToManyPolygonsAtOnce) {
     const IntervalSystem system = system_of("L->SL, S->L");
     const Curve first = curve_over(system, 3, Ends::Circular, 20, 2, 1);

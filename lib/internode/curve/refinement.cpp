@@ -115,6 +115,15 @@ void Refinement::step() {
     curve_.knots_ = refined_knots(curve_.knots_, 1);
 }
 
+void Refinement::advance(int steps, const ApplyOptions& options) {
+    const RefinementPlan plan(curve_.system(), automaton_, states_, steps);
+    std::vector<double> points(plan.output_size() * curve_.dimension());
+    plan.apply<double>(curve_.points_, curve_.dimension(), points, options);
+    curve_.points_ = std::move(points);
+    states_ = plan.final_cells();
+    curve_.knots_ = refined_knots(curve_.knots_, steps);
+}
+
 RefinementPlan refinement_plan(const Knots& knots, int steps, const PlanOptions& options) {
     return {knots.system(), knots.degree(), knots.word(), knots.ends(), steps, options};
 }

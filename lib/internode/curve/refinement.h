@@ -41,6 +41,9 @@ public:
     [[nodiscard]] const std::vector<std::uint32_t>& states() const { return states_; }
     /// One step of subdivision.
     void step();
+    /// Several steps >= 0 at once, the fast way (stencil/plan.h): within rounding what as many calls of step() give.
+    /// \throw std::invalid_argument for fewer
+    void advance(int steps, const ApplyOptions& options = {});
 
 private:
     Curve curve_;

@@ -93,13 +93,34 @@ std::size_t coordinates(std::uint64_t points, std::size_t dimension) {
 
 } // namespace
 
+/// An automaton and the states of the cells of a word in it.
+struct RefinementPlan::Start {
+    std::shared_ptr<const StencilAutomaton> automaton;
+    std::vector<std::uint32_t> cells;
+
+    static Start of(const IntervalSystem& system, int degree, const std::vector<CellState>& states,
+                    std::size_t state_limit) {
+        Start start;
+        start.automaton = std::make_shared<const StencilAutomaton>(make_automaton(system, degree, states, state_limit));
+        start.cells.reserve(states.size());
+        for (const CellState& state : states) start.cells.push_back(start.automaton->find(state));
+        return start;
+    }
+};
+
 RefinementPlan::RefinementPlan(const IntervalSystem& system, int degree, WordView word, Ends ends, int steps,
-                               const PlanOptions& options) {
+                               const PlanOptions& options)
+    : RefinementPlan(system, Start::of(system, degree, cell_states(word, degree, ends), options.state_limit), steps,
+                     options) {}
+
+RefinementPlan::RefinementPlan(const IntervalSystem& system, std::shared_ptr<const StencilAutomaton> automaton,
+                               std::vector<std::uint32_t> cells, int steps, const PlanOptions& options)
+    : RefinementPlan(system, Start{std::move(automaton), std::move(cells)}, steps, options) {}
+
+RefinementPlan::RefinementPlan(const IntervalSystem& system, Start start, int steps, const PlanOptions& options)
+    : automaton_(std::move(start.automaton))
+    , cells_(std::move(start.cells)) {
     if (steps < 0) throw std::invalid_argument("a negative number of steps");
-    const std::vector<CellState> states = cell_states(word, degree, ends);
-    automaton_ = std::make_shared<const StencilAutomaton>(make_automaton(system, degree, states, options.state_limit));
-    cells_.reserve(states.size());
-    for (const CellState& state : states) cells_.push_back(automaton_->find(state));
     Levels levels = levels_of(*automaton_, cells_, steps);
 
     const BlockChoice choice(*automaton_, levels, options);
@@ -112,6 +133,12 @@ RefinementPlan::RefinementPlan(const IntervalSystem& system, int degree, WordVie
         blocks_.insert(blocks_.begin(), {level, stencils});
     }
     sizes_ = std::move(levels.sizes);
+}
+
+std::vector<std::uint32_t> RefinementPlan::final_cells() const {
+    if (blocks_.empty()) return cells_;
+    const CellArray last = block_cells().back().refined(*blocks_.back().stencils, sizes_.back());
+    return last.visit([&](const auto* states) { return std::vector<std::uint32_t>(states, states + last.size()); });
 }
 
 std::vector<int> RefinementPlan::blocks() const {

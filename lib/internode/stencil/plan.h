@@ -40,6 +40,10 @@ public:
     RefinementPlan(const IntervalSystem& system, int degree, WordView word, Ends ends, int steps,
                    const PlanOptions& options = {});
 
+    /// Of cells whose states in the automaton of the system are known already.
+    RefinementPlan(const IntervalSystem& system, std::shared_ptr<const StencilAutomaton> automaton,
+                   std::vector<std::uint32_t> cells, int steps, const PlanOptions& options = {});
+
     [[nodiscard]] int steps() const { return static_cast<int>(sizes_.size()) - 1; }
     /// Points after 0, 1, … steps().
     [[nodiscard]] const std::vector<std::uint64_t>& sizes() const { return sizes_; }
@@ -50,6 +54,8 @@ public:
     [[nodiscard]] const StencilAutomaton& automaton() const { return *automaton_; }
     /// The state of each cell of the word.
     [[nodiscard]] const std::vector<std::uint32_t>& cells() const { return cells_; }
+    /// The state of each cell after all steps.
+    [[nodiscard]] std::vector<std::uint32_t> final_cells() const;
     /// Bytes that apply() needs beside input and output, for points of `dimension` coordinates of `scalar_bytes`.
     [[nodiscard]] std::uint64_t work_bytes(std::size_t dimension, std::size_t scalar_bytes) const;
 
@@ -66,6 +72,9 @@ public:
                     const ApplyOptions& options = {}) const;
 
 private:
+    struct Start;
+    RefinementPlan(const IntervalSystem& system, Start start, int steps, const PlanOptions& options);
+
     struct Block {
         int first_step = 0;
         std::shared_ptr<const FusedStencils> stencils;
