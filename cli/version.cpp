@@ -23,9 +23,9 @@ Generator generator(const Context& context) {
     return {std::string(version()), context.command_line};
 }
 
-ExitCode run(const VersionOptions&, const Context&) {
-    std::string text =
-        fmt::format("internode {}\ncompiler {}\ninstruction set {}\n", version(), compiler(), instruction_set());
+ExitCode run(const VersionOptions&, const Context& context) {
+    std::string text = fmt::format("internode {}\ncompiler {}\ninstruction set {}, kernels {}\n", version(), compiler(),
+                                   instruction_set(), usable(context.isa) == Isa::Avx2 ? "avx2" : "plain");
     for (const LibraryVersion& library : library_versions())
         text += fmt::format("{} {}\n", library.name, library.version);
     write_output("-", text);

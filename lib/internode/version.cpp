@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 #include <gmp.h>
 #include <nlohmann/detail/macro_scope.hpp>
+#include <oneapi/tbb/version.h>
 
 namespace internode {
 
@@ -36,6 +37,7 @@ std::vector<LibraryVersion> library_versions() {
         {"GMP", gmp_version},
         {"nlohmann-json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
                                       NLOHMANN_JSON_VERSION_PATCH)},
+        {"oneTBB", fmt::format("{}.{}.{}", TBB_VERSION_MAJOR, TBB_VERSION_MINOR, TBB_VERSION_PATCH)},
     };
 }
 

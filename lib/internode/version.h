@@ -13,8 +13,8 @@ namespace internode {
 /// "0.1.0".
 [[nodiscard]] std::string_view version();
 
-/// The instruction set that the numeric code was compiled for: "x86-64", "x86-64 with AVX2", "other". Results do not
-/// depend on it.
+/// The instruction set that the code outside the kernels (stencil/kernel.h) was compiled for: "x86-64", "x86-64 with
+/// AVX2", "other". Results do not depend on it.
 [[nodiscard]] std::string_view instruction_set();
 
 struct LibraryVersion {
