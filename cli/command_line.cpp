@@ -7,6 +7,7 @@
 #include "cli/command_line.h"
 
 #include "cli/exit_code.h"
+#include "cli/public_command_line.h"
 #include "internode/curve/curve.h"
 #include "internode/grammar/diagnostic.h"
 #include "internode/io/number.h"
@@ -71,6 +72,7 @@ private:
     void add_common(CLI::App* app);
     void add_commands();
     void add_curve_commands();
+    void add_pyramid_commands();
     void add_small_commands();
     void refuse_leftovers(const CLI::App& app) const;
     [[nodiscard]] std::vector<std::string> known_words(const CLI::App& app) const;
@@ -83,6 +85,8 @@ private:
     MasksOptions masks_;
     SubdivideOptions subdivide_;
     ConvergeOptions converge_;
+    ReverseOptions reverse_;
+    ComposeOptions compose_;
     WordOptions word_;
     FormatOptions format_;
     GrammarsOptions grammars_;
@@ -100,6 +104,7 @@ Reader::Reader() {
     add_common(&app_);
     add_commands();
     add_curve_commands();
+    add_pyramid_commands();
     add_small_commands();
 }
 
@@ -243,6 +248,58 @@ void Reader::add_curve_commands() {
     commands_.push_back({converge, [this] { return Request(converge_); }});
 }
 
+void Reader::add_pyramid_commands() {
+    CLI::App* reverse = add(
+        "reverse", with_examples("Take a polygon apart: a coarse polygon and the details of every step back to it.\n"
+                                 "--word names the intervals of the coarse polygon.",
+                                 "reverse @fibonacci data/curves/iceland-coast.csv -d 3 -n 5 --closed --word LSLLS "
+                                 "--repeat --resample --picture levels.svg",
+                                 "reverse @fibonacci data/curves/leaf.csv -d 2 -n 2 --closed --word LS --repeat "
+                                 "--keep 5 -o pyramid.json"));
+    add_grammar(reverse, reverse_.grammar, true);
+    add_polygon(reverse, reverse_.polygon);
+    add_output(reverse, reverse_.output, {"text", "json"});
+    const auto levels = [this](const std::string& text) { reverse_.levels = whole_number(text); };
+    const auto keep = [this](const std::string& text) { reverse_.keep = whole_number(text); };
+    const CLI::Validator whole(whole_number_problem, "");
+    reverse->add_option_function<std::string>("-n,--levels", levels, "Steps down (default: what the word asks for)")
+        ->type_name("N")
+        ->check(whole);
+    reverse->add_flag_callback(
+        "--local", [this] { reverse_.local = true; }, "Local filters instead of least squares");
+    add_count(reverse, "--window", reverse_.window, "Intervals of a local filter (default 5)")
+        ->check(CLI::Range(1, 64));
+    auto* threshold = reverse->add_option_function<std::string>(
+        "--threshold", [this](const std::string& text) { reverse_.threshold = parse_double(text); },
+        "Keep only details at least this long");
+    threshold->check(CLI::Validator(positive_number, ""));
+    auto* count =
+        reverse->add_option_function<std::string>("--keep", keep, "Keep only this many of the longest details");
+    count->type_name("N")->check(whole)->excludes(threshold);
+    auto* resample = reverse->add_flag_callback(
+        "--resample", [this] { reverse_.fit = FitOption::Resample; },
+        "Bring the polygon to the nearest possible number of points, at equal steps of chord length");
+    auto* cut = reverse->add_flag_callback(
+        "--cut", [this] { reverse_.fit = FitOption::Cut; }, "Drop points from its end until their number is possible");
+    cut->excludes(resample);
+    reverse->add_option("--coarse", reverse_.coarse, "Write the coarse polygon: CSV or JSON by the extension");
+    reverse->add_option("--picture", reverse_.picture, "Write a picture of all levels (SVG)");
+    commands_.push_back({reverse, [this] { return Request(reverse_); }});
+
+    CLI::App* compose =
+        add("compose", with_examples("Put a polygon together again from the pyramid that reverse wrote.",
+                                     "compose data/pyramids/leaf.json",
+                                     "compose data/pyramids/leaf.json --level 0 -o coarse.json"));
+    compose->add_option("PYRAMID", compose_.pyramid, "JSON of format internode-pyramid, or -")->required();
+    add_output(compose, compose_.output, {"csv", "json", "npy", "obj"});
+    const auto level = [this](const std::string& text) { compose_.level = whole_number(text); };
+    compose->add_option_function<std::string>("--level", level, "This level, 0 is the coarse one (default: the finest)")
+        ->type_name("N")
+        ->check(whole);
+    add_count(compose, "--max-points", compose_.max_points, "Refuse more points than this (default 100000000)");
+    commands_.push_back({compose, [this] { return Request(compose_); }});
+}
+
 void Reader::add_small_commands() {
     CLI::App* word =
         add("word", with_examples("The rewritten word of the axiom (or --word) and its letter counts.",
@@ -325,32 +382,6 @@ CommandLine Reader::read(int argc, const char* const* argv) {
         return {common_, command.finish()};
     }
     return {common_, HelpRequest{app_.help()}};
-}
-
-/// The last component of a path; `-` and `@name` stay.
-std::string base_name(const std::string& word) {
-    const auto slash = word.find_last_of('/');
-    return slash == std::string::npos || slash + 1 == word.size() ? word : word.substr(slash + 1);
-}
-
-/// The command line as outputs show it: base names, and no word about what changes no byte: threads, where it goes.
-std::string public_command_line(int argc, const char* const* argv) {
-    std::string text = "internode";
-    for (int i = 1; i < argc; ++i) {
-        const std::string word = argv[i];
-        if (word == "-o" || word == "--output" || word == "--html" || word == "--threads") {
-            ++i;
-            continue;
-        }
-        if (word.starts_with("--output=") || word.starts_with("--html=") || word.starts_with("--threads=") ||
-            word.starts_with("-o"))
-            continue;
-        const std::string previous = argv[i - 1];
-        const bool literal = previous == "-e" || previous == "--expression" || previous == "--word";
-        text += ' ';
-        text += literal ? "'" + word + "'" : base_name(word);
-    }
-    return text;
 }
 
 /// A grammar and a polygon both stand first on the line: with -e the one place given is the polygon's.

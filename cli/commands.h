@@ -20,6 +20,8 @@ ExitCode run(const ValidateOptions& options, const Context& context);
 ExitCode run(const MasksOptions& options, const Context& context);
 ExitCode run(const SubdivideOptions& options, const Context& context);
 ExitCode run(const ConvergeOptions& options, const Context& context);
+ExitCode run(const ReverseOptions& options, const Context& context);
+ExitCode run(const ComposeOptions& options, const Context& context);
 ExitCode run(const WordOptions& options, const Context& context);
 ExitCode run(const FormatOptions& options, const Context& context);
 ExitCode run(const GrammarsOptions& options, const Context& context);

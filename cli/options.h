@@ -93,6 +93,30 @@ struct ConvergeOptions {
     std::string html; ///< a file for the page; empty = none
 };
 
+/// What may be done to a polygon whose number of points is not possible.
+enum class FitOption { Refuse, Resample, Cut };
+
+struct ReverseOptions {
+    GrammarSource grammar;
+    PolygonOptions polygon; ///< its word is that of the coarse polygon
+    OutputTarget output;
+    std::optional<std::uint64_t> levels;
+    bool local = false;
+    std::uint64_t window = 5;
+    std::optional<double> threshold;
+    std::optional<std::uint64_t> keep;
+    FitOption fit = FitOption::Refuse;
+    std::string coarse;  ///< a file for the coarse polygon; empty = none
+    std::string picture; ///< a file for the picture of all levels; empty = none
+};
+
+struct ComposeOptions {
+    std::string pyramid; ///< a file of format "internode-pyramid", `-` for stdin
+    OutputTarget output;
+    std::optional<std::uint64_t> level; ///< which polygon; the fine one when not said
+    std::uint64_t max_points = 100'000'000;
+};
+
 struct WordOptions {
     GrammarSource grammar;
     OutputTarget output;
@@ -118,7 +142,8 @@ struct HelpRequest {
     std::string text;
 };
 
-using Request = std::variant<ValidateOptions, MasksOptions, SubdivideOptions, ConvergeOptions, WordOptions,
-                             FormatOptions, GrammarsOptions, LimitsOptions, VersionOptions, HelpRequest>;
+using Request =
+    std::variant<ValidateOptions, MasksOptions, SubdivideOptions, ConvergeOptions, ReverseOptions, ComposeOptions,
+                 WordOptions, FormatOptions, GrammarsOptions, LimitsOptions, VersionOptions, HelpRequest>;
 
 } // namespace internode::cli

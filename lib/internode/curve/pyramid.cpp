@@ -223,6 +223,14 @@ std::vector<PolygonError> approximation_errors(const Analysis& analysis) {
     return errors;
 }
 
+bool has_loose_ends(const Knots& knots) {
+    if (knots.ends() == Ends::Circular) return false;
+    const auto d = static_cast<std::size_t>(knots.degree());
+    const WordView word(knots.word());
+    const auto is_zero = [](Symbol symbol) { return symbol == zero_interval; };
+    return !std::ranges::all_of(word.first(d), is_zero) || !std::ranges::all_of(word.last(d), is_zero);
+}
+
 CheckedPyramid make_pyramid(Curve coarse, const ReverseOptions& options, std::vector<PyramidLevel> levels) {
     CheckedPyramid checked;
     if (options.window < 1) checked.problems.emplace_back("a window of no interval");

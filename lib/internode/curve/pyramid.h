@@ -70,6 +70,10 @@ struct PolygonError {
 /// What each level, 0 … n, is worth alone: its polygon, refined without details, against the fine one.
 [[nodiscard]] std::vector<PolygonError> approximation_errors(const Analysis& analysis);
 
+/// Whether the polygon is open and its ends are not clamped: the first and last points are then ill-conditioned by
+/// nature, and G tells by how much.
+[[nodiscard]] bool has_loose_ends(const Knots& knots);
+
 struct CheckedPyramid {
     std::optional<Pyramid> pyramid;    ///< when everything fits
     std::vector<std::string> problems; ///< what does not, each a sentence with the numbers

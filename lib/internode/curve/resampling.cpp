@@ -75,4 +75,14 @@ std::vector<double> cut(std::span<const double> points, std::size_t dimension, s
     return {points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count * dimension)};
 }
 
+std::string to_string(const Fitting& fitting) {
+    const std::string measured = std::to_string(fitting.measured) + (fitting.measured == 1 ? " point" : " points");
+    if (fitting.fit == Fit::AsMeasured) return measured + ", as measured";
+    if (fitting.fit == Fit::Cut)
+        return measured + ", the last " + std::to_string(fitting.measured - fitting.points) +
+               " cut off: " + std::to_string(fitting.points);
+    return measured + ", resampled to " + std::to_string(fitting.points) + " at equal steps of " +
+           (fitting.spacing == Spacing::Index ? "the index" : "chord length");
+}
+
 } // namespace internode

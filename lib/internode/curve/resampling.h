@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace internode {
@@ -29,5 +30,18 @@ struct ResampledPolygon {
 
 /// The first `count` points. \throw as resampled(), and for more points than there are
 [[nodiscard]] std::vector<double> cut(std::span<const double> points, std::size_t dimension, std::size_t count);
+
+enum class Fit { AsMeasured, Resampled, Cut };
+
+/// What was done to a measured polygon: belongs into whatever is said about the result.
+struct Fitting {
+    Fit fit = Fit::AsMeasured;
+    std::size_t measured = 0; ///< points before
+    std::size_t points = 0;   ///< points after
+    Spacing spacing = Spacing::ChordLength;
+};
+
+/// "4821 points, resampled to 4816 at equal steps of chord length".
+[[nodiscard]] std::string to_string(const Fitting& fitting);
 
 } // namespace internode

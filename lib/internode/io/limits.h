@@ -19,6 +19,7 @@ inline constexpr std::uint64_t max_knots = 5'000'000;                   ///< exa
 inline constexpr std::uint64_t max_obj_vertices = 40'000'000;           ///< of 32 bytes; and as many indices
 inline constexpr std::uint64_t max_dimension = 64;                      ///< coordinates of a point
 inline constexpr std::uint64_t max_input_degree = 1'000'000;            ///< so that points + degree never wraps
+inline constexpr std::uint64_t max_filter_window = 64;                  ///< intervals of a pyramid's local filters
 inline constexpr std::uint64_t max_polygon_errors = 100;                ///< a table is given up after so many errors
 inline constexpr std::uint64_t max_shown_line_bytes = 4096;             ///< longer source lines are not quoted
 
@@ -30,6 +31,7 @@ inline constexpr std::array<Limit, 9> input_limits{{
     {"vertices, and indices of elements, of an OBJ file", max_obj_vertices, "vertices"},
     {"polygon dimension", max_dimension, "coordinates"},
     {"polygon degree as read", max_input_degree, ""},
+    {"window of a local filter", max_filter_window, "intervals"},
     {"polygon errors", max_polygon_errors, "errors"},
     {"source line shown", max_shown_line_bytes, "bytes"},
 }};

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+//
+// A curve on its way out as a curve's JSON.
+
+#pragma once
+
+#include "cli/commands.h"
+#include "internode/curve/curve.h"
+#include "internode/io/sink.h"
+
+namespace internode::cli {
+
+/// Word, points and the lengths at the curve's step, a_i / ρ^s: the file reads back as the same curve.
+void write_curve(Sink& sink, const Curve& curve, const Context& context);
+
+} // namespace internode::cli

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+
+#include "cli/public_command_line.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace internode::cli {
+namespace {
+
+/// The last component of a path; `-` and `@name` stay.
+std::string base_name(const std::string& word) {
+    const auto slash = word.find_last_of('/');
+    return slash == std::string::npos || slash + 1 == word.size() ? word : word.substr(slash + 1);
+}
+
+/// Options whose value changes no byte of an output.
+constexpr std::array<std::string_view, 6> silent{"-o", "--output", "--html", "--coarse", "--picture", "--threads"};
+
+bool is_silent(std::string_view option) {
+    return std::ranges::find(silent, option) != silent.end();
+}
+
+} // namespace
+
+std::string public_command_line(int argc, const char* const* argv) {
+    std::string text = "internode";
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        if (is_silent(word)) {
+            ++i;
+            continue;
+        }
+        const bool joined = is_silent(std::string_view(word).substr(0, word.find('='))) || word.starts_with("-o");
+        if (joined) continue;
+        const std::string previous = argv[i - 1];
+        const bool literal = previous == "-e" || previous == "--expression" || previous == "--word";
+        text += ' ';
+        text += literal ? "'" + word + "'" : base_name(word);
+    }
+    return text;
+}
+
+} // namespace internode::cli
