@@ -149,6 +149,10 @@ InputPolygon read_contour(const PolygonOptions& options) {
     if (options.degree && polygon.degree && static_cast<std::size_t>(*options.degree) != *polygon.degree)
         throw failure(ExitCode::Refused, fmt::format("-d {} disagrees with \"degree\": {} of {}", *options.degree,
                                                      *polygon.degree, polygon.source));
+    if (options.rational || !polygon.weights.empty() || polygon.knots)
+        throw failure(ExitCode::Refused,
+                      polygon.source + " is to be taken apart: without weights, and by the word of its coarse polygon",
+                      "leave out weights, knots and --rational");
     for (const double coordinate : polygon.points)
         if (coordinate > largest_coordinate || coordinate < -largest_coordinate)
             throw failure(ExitCode::Refused, polygon.source + " has a coordinate beyond 1e150");

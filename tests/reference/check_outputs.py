@@ -7,6 +7,7 @@ by Oslo algorithm, stencils by Marsden's identity, words by rewriting, curves by
 
   check_outputs.py --schema-dir docs/schema FILE...
   check_outputs.py --schema-dir docs/schema --refined INPUT.json VALIDATION.json STEPS OUTPUT.json
+  check_outputs.py --schema-dir docs/schema --composed PYRAMID.json OUTPUT.json
 
 Exit code 0 when everything holds, 1 with a line per fault otherwise.
 """
@@ -637,6 +638,101 @@ def check_refined(coarse, validation, steps, fine):
             require(abs(a - b) <= TOLERANCE * Fraction(size), f"the curves differ at {float(x)}: {float(a - b)}")
 
 
+# --- pyramids --------------------------------------------------------------------------------------------------------
+
+
+def pyramid_words(document):
+    """The words of all levels, the coarse one first."""
+    words = [document["word"]]
+    for _ in document["levels"]:
+        words.append(refined_word(document["grammar"]["rules"], words[-1], document["degree"], document["closed"]))
+    return words
+
+
+def check_pyramid(document):
+    System(document)
+    extra = 0 if document["closed"] else document["degree"]
+    words = pyramid_words(document)
+    require(len(document["points"]) == len(words[0]) - extra, "the coarse polygon does not fit its word")
+    for s, level in enumerate(document["levels"]):
+        require(level["points"] == len(words[s + 1]) - extra, f"level {s + 1}: the points do not fit the word")
+        require(level["inserted"] == len(words[s + 1]) - len(words[s]), f"level {s + 1}: inserted")
+        at = level["at"]
+        require(len(at) == len(level["details"]) <= level["inserted"], f"level {s + 1}: details")
+        require(at == sorted(set(at)) and all(0 <= i < level["points"] for i in at), f"level {s + 1}: places of details")
+        longest = max((math.hypot(*detail) for detail in level["details"]), default=0)
+        require(longest <= level["longest"] * (1 + 1e-12), f"level {s + 1}: a detail longer than the longest")
+    require(document["fitting"]["points"] == len(words[-1]) - extra, "the fine polygon does not fit its word")
+    require(document["round_trip"]["largest"] <= 1e-10, "the details do not give the fine polygon back")
+    require(document["error"]["largest"] >= document["error"]["root_mean_square"], "a largest error below the mean")
+
+
+def step_rows(system, word, degree, closed):
+    """P in doubles: each new point as {old point: weight}, by scattering the basis functions."""
+    letters = len(system.rewritten(word))
+    if closed:
+        points, new_points, first = len(word), letters, 0
+    else:
+        ends = [len(system.rewritten(part)) for part in (word[:degree], word[-degree:])]
+        points, first = len(word) - degree, ends[0] - degree
+        new_points = letters - sum(ends) + degree
+    rows = [{} for _ in range(new_points)]
+    start = 0
+    known = {}
+    for k in range(points):
+        support = tuple(word[(k + i) % len(word)] for i in range(degree + 1))
+        if support not in known:
+            known[support] = [weight.to_float() for weight in oslo_weights(system, list(support))[0]]
+        for e, weight in enumerate(known[support]):
+            place = start + e
+            place = place % new_points if closed else place - first
+            if weight and 0 <= place < new_points:
+                rows[place][k] = rows[place].get(k, 0.0) + weight
+        start += len(system.image(word[k]))
+    return rows
+
+
+def normal_solution(rows, columns, right):
+    """The x with least |P x - right|, by elimination on the normal equations; `right` and x are rows of coordinates."""
+    matrix = [[0.0] * columns + [0.0] * len(right[0]) for _ in range(columns)]
+    for row, values in zip(rows, right):
+        for i, a in row.items():
+            for j, b in row.items():
+                matrix[i][j] += a * b
+            for c, value in enumerate(values):
+                matrix[i][columns + c] += a * value
+    for i in range(columns):  # positive definite: no pivoting
+        matrix[i] = [a / matrix[i][i] for a in matrix[i]]
+        for r in range(columns):
+            if r != i and matrix[r][i]:
+                factor = matrix[r][i]
+                matrix[r] = [a - factor * b for a, b in zip(matrix[r], matrix[i])]
+    return [row[columns:] for row in matrix]
+
+
+def check_composed(document, fine):
+    """Puts a least-squares pyramid together: f = P (c - A e) + e at every level."""
+    require(document["method"] == "least-squares", "only least squares is put together here")
+    system = System(document)
+    words = pyramid_words(document)
+    points = document["points"]
+    size = max(abs(x) for point in points for x in point) or 1
+    for word, level in zip(words, document["levels"]):
+        rows = step_rows(system, word, document["degree"], document["closed"])
+        filled = [[0.0] * len(points[0]) for _ in rows]
+        for i, detail in zip(level["at"], level["details"]):
+            filled[i] = detail
+        shift = normal_solution(rows, len(points), filled)
+        points = [[a - b for a, b in zip(p, q)] for p, q in zip(points, shift)]
+        points = [
+            [sum(weight * points[k][c] for k, weight in row.items()) + value for c, value in enumerate(values)]
+            for row, values in zip(rows, filled)
+        ]
+    require(fine["word"] == words[-1] and len(fine["points"]) == len(points), "another polygon")
+    error = max(abs(a - b) for p, q in zip(points, fine["points"]) for a, b in zip(p, q))
+    require(error <= 1e-9 * size, f"put together it is {error} off")
+
+
 # --- all -------------------------------------------------------------------------------------------------------------
 
 CHECKS = {
@@ -645,6 +741,7 @@ CHECKS = {
     "internode-automaton": ("automaton", check_automaton),
     "internode-convergence": ("convergence", check_convergence),
     "internode-curve": ("curve", check_curve),
+    "internode-pyramid": ("pyramid", check_pyramid),
 }
 
 
@@ -668,6 +765,7 @@ def main():
     parser = argparse.ArgumentParser(description="Checks JSON that internode wrote.")
     parser.add_argument("--schema-dir", type=pathlib.Path)
     parser.add_argument("--refined", nargs=4, action="append", default=[], metavar=("INPUT", "VALIDATION", "STEPS", "OUTPUT"))
+    parser.add_argument("--composed", nargs=2, action="append", default=[], metavar=("PYRAMID", "OUTPUT"))
     parser.add_argument("files", nargs="*", type=pathlib.Path)
     options = parser.parse_args()
     faults = checked = 0
@@ -693,6 +791,11 @@ def main():
             lambda: check_refined(
                 load(coarse, options.schema_dir), load(validation, options.schema_dir), int(steps), load(fine, options.schema_dir)
             ),
+        )
+    for pyramid, fine in options.composed:
+        attempt(
+            fine,
+            lambda: check_composed(load(pyramid, options.schema_dir), load(fine, options.schema_dir)),
         )
     schemas = "" if jsonschema is not None and options.schema_dir else " (schemas not checked)"
     print(f"{checked} checked, {faults} at fault{schemas}")

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// Any text as a pyramid: refused with a place, or read; and a small one is refused with a sentence or put together to
+// as many points as it says.
+
+#include "internode/grammar/diagnostic.h"
+#include "internode/io/pyramid_json.h"
+
+#include <cstdint>
+#include <cstdlib>
+
+namespace {
+
+using namespace internode;
+
+void require(bool holds) {
+    if (!holds) std::abort();
+}
+
+/// Small enough that validity and synthesis take no time to speak of; both have fuzz targets and tests of their own.
+bool is_small(const InputPyramid& pyramid) {
+    std::size_t letters = pyramid.axiom ? pyramid.axiom->letters.size() : 0;
+    for (const InputRule& rule : pyramid.rules) letters += 1 + rule.word.size();
+    for (const InputLength& length : pyramid.lengths)
+        for (const Rational& coefficient : length.coefficients)
+            if (to_string(coefficient).size() > 20) return false;
+    return letters <= 16 && pyramid.degree <= 4 && pyramid.word.letters.size() <= 60 && pyramid.levels.size() <= 8;
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    const ParsedPyramid parsed = read_pyramid(text, "fuzz.json");
+    require(parsed.pyramid.has_value() == parsed.errors.empty());
+    if (!parsed.pyramid) require(!to_string(parsed.errors).empty());
+    if (!parsed.pyramid || !is_small(*parsed.pyramid)) return 0;
+    const CheckedPyramid checked = checked_pyramid(*parsed.pyramid);
+    require(checked.pyramid.has_value() == checked.problems.empty());
+    if (!checked.pyramid || (!checked.pyramid->levels.empty() && checked.pyramid->levels.back().points > 500)) return 0;
+    const std::size_t points =
+        checked.pyramid->levels.empty() ? checked.pyramid->coarse.size() : checked.pyramid->levels.back().points;
+    require(synthesise(*checked.pyramid).back().size() == points * checked.pyramid->coarse.dimension());
+    return 0;
+}

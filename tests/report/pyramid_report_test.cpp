@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/report/pyramid_report.h"
+
+#include "internode/curve/refinement.h"
+#include "tests/reference/random_curve.h"
+#include "tests/reference/systems.h"
+
+#include <gmock/gmock.h>
+
+namespace internode {
+namespace {
+
+using reference::fibonacci;
+using reference::Random;
+using reference::random_curve;
+using reference::Shape;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+PyramidReport report_of(Shape shape, std::size_t dimension, std::size_t kept_details, const Fitting& fitting = {}) {
+    Random random(3);
+    const Curve coarse = random_curve(random, fibonacci(), 3, shape, 6, dimension);
+    std::vector<double> fine(refined_size(coarse, 4, 100'000).points * dimension);
+    for (double& number : fine) number = random.coordinate();
+    Analysis analysis = analyse(coarse.knots(), 4, dimension, fine);
+    Pyramid kept = with_longest(analysis.pyramid, kept_details);
+    return pyramid_report(std::move(analysis), std::move(kept), fitting, "<leaf>.csv");
+}
+
+TEST(PyramidReport, MeasuresTheThresholdedPolygonItself) {
+    const PyramidReport report = report_of(Shape::Closed, 2, 5);
+    EXPECT_EQ(detail_count(report.kept), 5u);
+    EXPECT_TRUE(report.thresholded);
+    const std::vector<double> again = synthesise(report.kept).back();
+    EXPECT_EQ(report.kept_error.largest, polygon_error(again, report.analysis.polygons.back(), 2).largest);
+    const PyramidReport whole = report_of(Shape::Closed, 2, 1'000'000);
+    EXPECT_FALSE(whole.thresholded);
+    EXPECT_LT(whole.kept_error.largest, 1e-13);
+    EXPECT_EQ(whole.approximations.size(), 5u);
+    EXPECT_EQ(whole.round_trips.size(), 5u);
+}
+
+TEST(PyramidReport, SaysHowThePolygonWasMadeToFit) {
+    EXPECT_THAT(pyramid_text(report_of(Shape::Closed, 2, 5, {Fit::AsMeasured, 20, 20, {}})),
+                HasSubstr("20 points, as measured"));
+    EXPECT_THAT(pyramid_text(report_of(Shape::Closed, 2, 5, {Fit::Cut, 23, 20, {}})),
+                HasSubstr("23 points, the last 3 cut off: 20"));
+    EXPECT_THAT(pyramid_text(report_of(Shape::Closed, 2, 5, {Fit::Resampled, 1, 20, Spacing::Index})),
+                HasSubstr("1 point, resampled to 20 at equal steps of the index"));
+    const std::string json =
+        pyramid_json(report_of(Shape::Closed, 2, 5, {Fit::Resampled, 23, 20, Spacing::ChordLength}), {"0", "x"});
+    EXPECT_THAT(json, HasSubstr(R"("change": "resampled", "spacing": "chord-length")"));
+}
+
+TEST(PyramidReport, WarnsOfLooseEndsWithTheirGain) {
+    EXPECT_EQ(loose_ends_warning(report_of(Shape::Closed, 2, 5)), "");
+    EXPECT_EQ(loose_ends_warning(report_of(Shape::Clamped, 2, 5)), "");
+    Random random(4);
+    const Curve coarse = random_curve(random, fibonacci(), 5, Shape::Open, 6, 1);
+    std::vector<double> fine(refined_size(coarse, 5, 100'000).points);
+    for (double& number : fine) number = random.coordinate();
+    Analysis analysis = analyse(coarse.knots(), 5, 1, fine);
+    Pyramid kept = analysis.pyramid;
+    EXPECT_THAT(loose_ends_warning(pyramid_report(std::move(analysis), std::move(kept), {}, "")), HasSubstr("G = "));
+}
+
+TEST(PyramidReport, DrawsAPanelPerLevelAndNamesAsText) {
+    for (const std::size_t dimension : {1U, 2U, 3U})
+        for (const Shape shape : {Shape::Closed, Shape::Clamped}) {
+            const std::string svg = pyramid_picture(report_of(shape, dimension, 5), {"0", "internode"});
+            for (int level = 0; level <= 4; ++level)
+                EXPECT_THAT(svg, HasSubstr("level " + std::to_string(level) + ": "));
+            EXPECT_THAT(svg, HasSubstr("&lt;leaf&gt;.csv"));
+            EXPECT_THAT(svg, Not(HasSubstr("<leaf>")));
+            EXPECT_THAT(svg, Not(HasSubstr("nan")));
+        }
+}
+
+TEST(PyramidReport, DrawsAPolygonWithoutSize) {
+    const Knots knots = *make_knots(fibonacci(), {2, Ends::Circular, Word(3)}).knots;
+    Analysis analysis = analyse(knots, 2, 2, std::vector<double>(18, 4.0));
+    Pyramid kept = analysis.pyramid;
+    const std::string svg = pyramid_picture(pyramid_report(std::move(analysis), std::move(kept), {}, ""), {"0", "x"});
+    EXPECT_THAT(svg, Not(HasSubstr("nan")));
+    EXPECT_THAT(svg, Not(HasSubstr("inf")));
+}
+
+} // namespace
+} // namespace internode
