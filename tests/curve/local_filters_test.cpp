@@ -119,7 +119,7 @@ TEST(KeptPoints, AreTheFinePointsWhereTheCoarseOnesWeighMost) {
     // Uniform cubic: edge points (1/2, 1/2) and vertex points (1/8, 3/4, 1/8); the vertex points are kept.
     const IntervalSystem system = system_of("A->AA");
     const Hierarchy closed(*make_knots(system, {3, Ends::Circular, Word(5)}).knots, 1);
-    EXPECT_THAT(kept_points(closed.matrix(0)), ElementsAre(4, 6, 8, 0, 2));
+    EXPECT_THAT(kept_points(closed.matrix(0)), ElementsAre(2, 4, 6, 8, 0));
     // Clamped: both ends are kept as well.
     const Hierarchy open(*make_knots(system, {3, Ends::Open, clamped(Word(4), 3)}).knots, 1);
     const std::vector<std::size_t> kept = kept_points(open.matrix(0));
