@@ -194,7 +194,7 @@ TEST(Pyramid, WithoutDetailsIsTheRefinedCoarsePolygon) {
     const std::vector<double> fine = random_points(random, 2 * fine_size(coarse, 3));
     const Analysis analysis = analyse(coarse.knots(), 3, 2, fine);
     const std::vector<double> smooth = synthesise(with_longest(analysis.pyramid, 0)).back();
-    EXPECT_EQ(smooth, refine(analysis.pyramid.coarse, 3).points());
+    EXPECT_LT(largest_difference(smooth, refine(analysis.pyramid.coarse, 3).points()), 1e-13);
     const std::vector<PolygonError> errors = approximation_errors(analysis);
     ASSERT_EQ(errors.size(), 4u);
     EXPECT_EQ(errors.front().largest, polygon_error(smooth, fine, 2).largest);

@@ -93,7 +93,7 @@ TEST(Hierarchy, HasTheMatricesOfItsSteps) {
         const Curve fine = refine(*curve.curve, 2);
         const std::vector<double> middle = product(hierarchy.matrix(0), points, 1);
         ASSERT_EQ(hierarchy.size(2), fine.size());
-        EXPECT_LT(largest_difference(product(hierarchy.matrix(1), middle, 1), fine.points()), 1e-15);
+        EXPECT_LT(largest_difference(product(hierarchy.matrix(1), middle, 1), fine.points()), 1e-14);
     });
 }
 
