@@ -7,6 +7,7 @@
 #include "cli/command_line.h"
 
 #include "cli/exit_code.h"
+#include "cli/option_checks.h"
 #include "cli/public_command_line.h"
 #include "internode/curve/curve.h"
 #include "internode/grammar/diagnostic.h"
@@ -16,7 +17,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <functional>
 #include <map>
 #include <memory>
@@ -26,28 +26,6 @@ namespace {
 
 std::string with_examples(const std::string& what, const std::string& first, const std::string& second) {
     return fmt::format("{}\n\nExamples:\n  internode {}\n  internode {}\n", what, first, second);
-}
-
-/// CLI11's form of a check: what is wrong, or nothing.
-std::string positive_number(const std::string& text) {
-    const std::optional<double> value = parse_double(text);
-    return value && *value > 0 ? std::string() : fmt::format("`{}` is not a positive number", text);
-}
-
-std::optional<std::uint64_t> whole_number(const std::string& text) {
-    std::uint64_t value = 0;
-    const char* const end = text.data() + text.size();
-    const auto read = std::from_chars(text.data(), end, value);
-    if (read.ec != std::errc() || read.ptr != end) return std::nullopt;
-    return value;
-}
-
-std::string whole_number_problem(const std::string& text) {
-    return whole_number(text) ? std::string() : fmt::format("`{}` is not a whole number from 0 to 2^64 - 1", text);
-}
-
-std::string empty_word_problem(const std::string& text) {
-    return text.empty() ? "an empty word has no intervals" : std::string();
 }
 
 /// A command while it is being read: the parser's view, and how to make the request of it.

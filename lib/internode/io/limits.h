@@ -23,7 +23,7 @@ inline constexpr std::uint64_t max_filter_window = 64;                  ///< int
 inline constexpr std::uint64_t max_polygon_errors = 100;                ///< a table is given up after so many errors
 inline constexpr std::uint64_t max_shown_line_bytes = 4096;             ///< longer source lines are not quoted
 
-inline constexpr std::array<Limit, 9> input_limits{{
+inline constexpr std::array<Limit, 10> input_limits{{
     {"input file", max_file_bytes, "bytes"},
     {"JSON depth", max_json_depth, "open brackets"},
     {"JSON values", max_json_values, "values"},

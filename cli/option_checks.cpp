@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+
+#include "cli/option_checks.h"
+
+#include "internode/io/number.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace internode::cli {
+
+std::string positive_number(const std::string& text) {
+    const std::optional<double> value = parse_double(text);
+    return value && *value > 0 ? std::string() : fmt::format("`{}` is not a positive number", text);
+}
+
+std::optional<std::uint64_t> whole_number(const std::string& text) {
+    std::uint64_t value = 0;
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, value);
+    if (read.ec != std::errc() || read.ptr != end) return std::nullopt;
+    return value;
+}
+
+std::string whole_number_problem(const std::string& text) {
+    return whole_number(text) ? std::string() : fmt::format("`{}` is not a whole number from 0 to 2^64 - 1", text);
+}
+
+std::string empty_word_problem(const std::string& text) {
+    return text.empty() ? "an empty word has no intervals" : std::string();
+}
+
+} // namespace internode::cli

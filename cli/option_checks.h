@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+//
+// What the value of an option must be, in CLI11's form of a check: a text says what is wrong, an empty one nothing.
+
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace internode::cli {
+
+/// The number of a text that is digits and nothing else, within 64 bits.
+[[nodiscard]] std::optional<std::uint64_t> whole_number(const std::string& text);
+
+[[nodiscard]] std::string whole_number_problem(const std::string& text);
+[[nodiscard]] std::string positive_number(const std::string& text);
+[[nodiscard]] std::string empty_word_problem(const std::string& text);
+
+} // namespace internode::cli
