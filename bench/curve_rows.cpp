@@ -130,7 +130,8 @@ std::vector<Contestant> against_copy(Scale scale) {
 std::vector<Contestant> against_peers(Scale scale) {
     const CurveCase curve = fibonacci_case(1190, scaled(14, scale));
     const auto given = peer_case(curve);
-    std::vector<Contestant> contestants{ours_reused("internode", curve), a54_reused(given), sparse_reused(given)};
+    std::vector<Contestant> contestants{ours_reused("internode", curve), ours_planned("internode-planned", curve),
+                                        a54_reused(given), sparse_reused(given)};
     add_sisl(contestants, given);
     contestants.push_back(memcpy_of(given->count));
     return contestants;

@@ -55,6 +55,11 @@ Refine ours(const std::shared_ptr<const GridCase>& grid) {
     };
 }
 
+Refine ours_planned(const std::shared_ptr<const GridCase>& grid) {
+    const auto plan = std::make_shared<const GridPlan>(grid->u.knots, grid->v.knots, grid->u.steps, grid->v.steps);
+    return [grid, plan](std::span<double> out) { plan->apply(grid->points, dimension, out); };
+}
+
 Refine by_hand(const std::shared_ptr<const GridCase>& grid) {
     const auto u = std::make_shared<const CubicRows>(masks_of(grid->u));
     const auto v = std::make_shared<const CubicRows>(masks_of(grid->v));
@@ -64,8 +69,8 @@ Refine by_hand(const std::shared_ptr<const GridCase>& grid) {
 
 std::vector<Contestant> contest(const GridCase& grid) {
     const auto given = std::make_shared<const GridCase>(grid);
-    return {contestant("internode", grid, ours(given)), contestant("separable", grid, by_hand(given)),
-            memcpy_of(refined_points(grid))};
+    return {contestant("internode", grid, ours(given)), contestant("internode-planned", grid, ours_planned(given)),
+            contestant("separable", grid, by_hand(given)), memcpy_of(refined_points(grid))};
 }
 
 std::vector<Contestant> middle(Scale scale) {

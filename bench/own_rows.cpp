@@ -67,13 +67,20 @@ std::vector<Contestant> threads_few_points(Scale scale) {
     return {on_threads(1, curve), on_threads(2, curve)};
 }
 
-/// The same coarse curve, longer and longer.
-std::vector<Contestant> sizes(Scale scale) {
-    std::vector<Contestant> contestants{ours_reused("1M", fibonacci_case(1190, scaled(14, scale))),
-                                        ours_reused("10M", fibonacci_case(1070, scaled(19, scale))),
-                                        ours_reused("100M", fibonacci_case(967, scaled(24, scale)))};
+std::vector<Contestant> sizes_of(Scale scale, const std::function<Contestant(const std::string&, CurveCase)>& ours) {
+    std::vector<Contestant> contestants{ours("1M", fibonacci_case(1190, scaled(14, scale))),
+                                        ours("10M", fibonacci_case(1070, scaled(19, scale))),
+                                        ours("100M", fibonacci_case(967, scaled(24, scale)))};
     for (Contestant& contestant : contestants) contestant.points = nullptr;
     return contestants;
+}
+
+std::vector<Contestant> sizes(Scale scale) {
+    return sizes_of(scale, [](const std::string& name, const CurveCase& curve) { return ours_reused(name, curve); });
+}
+
+std::vector<Contestant> sizes_planned(Scale scale) {
+    return sizes_of(scale, [](const std::string& name, const CurveCase& curve) { return ours_planned(name, curve); });
 }
 
 std::vector<Contestant> levels(Scale scale) {
@@ -96,7 +103,8 @@ std::vector<Row> own_rows() {
             {"threads-24M-fresh", threads_fresh},
             {"threads-24M-reused", threads_reused},
             {"threads-90k-reused", threads_few_points},
-            {"sizes-reused", sizes}};
+            {"sizes-reused", sizes},
+            {"sizes-planned", sizes_planned}};
 }
 
 } // namespace internode::bench
