@@ -83,8 +83,9 @@ struct Grid {
     Box box;
 
     [[nodiscard]] Point2 corner(std::size_t panel) const {
+        const std::size_t row = panel / columns;
         return {.x = margin + static_cast<double>(panel % columns) * (width + margin),
-                .y = title_height + static_cast<double>(panel / columns) * (height + label_height + margin)};
+                .y = title_height + static_cast<double>(row) * (height + label_height + margin)};
     }
     /// Within a panel.
     [[nodiscard]] Point2 pixel(Point2 point) const {
