@@ -7,6 +7,7 @@
 #include "cli/command_line.h"
 
 #include "cli/exit_code.h"
+#include "cli/grid.h"
 #include "cli/option_checks.h"
 #include "cli/public_command_line.h"
 #include "internode/curve/curve.h"
@@ -43,7 +44,8 @@ private:
     CLI::App* add(const std::string& name, const std::string& description);
     void add_grammar(CLI::App* app, GrammarSource& grammar, bool with_polygon);
     void add_output(CLI::App* app, OutputTarget& output, const std::vector<std::string>& formats);
-    void add_polygon(CLI::App* app, PolygonOptions& polygon);
+    void add_polygon(CLI::App* app, PolygonOptions& polygon, std::array<GridSideOptions, 2>* sides);
+    void add_grid(CLI::App* app, SubdivideOptions& subdivide);
     static CLI::Option* add_count(CLI::App* app, const std::string& name, std::uint64_t& count,
                                   const std::string& what);
     static void add_steps(CLI::App* app, std::uint64_t& steps, const std::string& what);
@@ -119,10 +121,24 @@ void Reader::add_output(CLI::App* app, OutputTarget& output, const std::vector<s
             "--json", [&output] { output.format = "json"; }, "Same as --format json");
 }
 
-void Reader::add_polygon(CLI::App* app, PolygonOptions& polygon) {
+/// With `sides`, -d takes the two degrees of a grid too.
+void Reader::add_polygon(CLI::App* app, PolygonOptions& polygon, std::array<GridSideOptions, 2>* sides) {
     app->add_option("POLYGON", polygon.place, "Control polygon: CSV, JSON or free-form OBJ file, or -");
-    app->add_option("-d,--degree", polygon.degree, "Degree of the B-spline, 1 to 12 (default: the JSON's)")
-        ->check(CLI::Range(1, max_degree));
+    const auto read_degree = [&polygon, sides](const std::string& text) {
+        const std::vector<int> said = degrees(text);
+        polygon.degree = said.front();
+        if (sides != nullptr) (*sides)[0].degree = said.front();
+        if (sides != nullptr) (*sides)[1].degree = said.back();
+    };
+    const auto degree_problem = [most = sides == nullptr ? 1U : 2U](const std::string& text) {
+        const std::size_t said = degrees(text).size();
+        return said >= 1 && said <= most ? std::string()
+                                         : fmt::format("`{}` is not a degree from 1 to {}", text, max_degree);
+    };
+    app->add_option_function<std::string>("-d,--degree", read_degree,
+                                          "Degree of the B-spline, 1 to 12 (default: the JSON's)")
+        ->type_name("D")
+        ->check(CLI::Validator(degree_problem, ""));
     app->add_option("--word", polygon.word, "The intervals: N letters closed, N+d open ('0^3 (LS)^9 0^3')")
         ->check(CLI::Validator(empty_word_problem, ""));
     app->add_flag("--repeat", polygon.repeat, "Repeat the word's letters as often as the points need");
@@ -142,6 +158,16 @@ void Reader::add_polygon(CLI::App* app, PolygonOptions& polygon) {
         ->type_name("K")
         ->check(CLI::Validator(whole_number_problem, ""));
     add_count(app, "--max-points", polygon.max_points, "Refuse more points than this (default 100000000)");
+}
+
+void Reader::add_grid(CLI::App* app, SubdivideOptions& subdivide) {
+    auto& [u, v] = subdivide.sides;
+    app->add_option("--u", u.grammar, "A grid: the grammar along u, the rows; beside it one JSON file (-d DU,DV)");
+    app->add_option("--v", v.grammar, "A grid: the grammar along v, within a row");
+    for (GridSideOptions* side : {&u, &v})
+        app->add_option(side == &u ? "--word-u" : "--word-v", side->word, "A grid: --word for this direction")
+            ->check(CLI::Validator(empty_word_problem, ""));
+    app->add_flag("--normals", subdivide.normals, "A grid, with --limit: unit normals too (OBJ, PLY)");
 }
 
 CLI::Option* Reader::add_count(CLI::App* app, const std::string& name, std::uint64_t& count, const std::string& what) {
@@ -192,15 +218,17 @@ void Reader::add_commands() {
 void Reader::add_curve_commands() {
     CLI::App* subdivide =
         add("subdivide",
-            with_examples("Refine a control polygon: the same curve over more and more intervals.",
+            with_examples("Refine a control polygon or, with --u and --v, a grid: the same curve or surface\n"
+                          "over more and more intervals.",
                           "subdivide @fibonacci data/curves/iceland-coast.csv -d 3 -n 4 --closed --word LS --repeat "
                           "-o coast.svg",
-                          "subdivide @fibonacci data/curves/fibonacci-open.json -n 3 -o refined.csv"));
+                          "subdivide --u @fibonacci --v @silver-mean data/grids/wave.json -n 3 -o wave.ply"));
     add_grammar(subdivide, subdivide_.grammar, true);
-    add_polygon(subdivide, subdivide_.polygon);
-    add_output(subdivide, subdivide_.output, {"csv", "json", "npy", "obj", "svg"});
+    add_polygon(subdivide, subdivide_.polygon, &subdivide_.sides);
+    add_grid(subdivide, subdivide_);
+    add_output(subdivide, subdivide_.output, {"csv", "json", "npy", "obj", "svg", "ply", "stl"});
     add_steps(subdivide, subdivide_.steps, "Steps of subdivision");
-    subdivide->add_flag("--limit", subdivide_.limit, "The curve itself at the distinct knots, not the polygon");
+    subdivide->add_flag("--limit", subdivide_.limit, "The curve or surface itself at the distinct knots");
     subdivide->add_flag("--derivatives", subdivide_.derivatives,
                         "With --limit: two derivatives, tangent and curvature too");
     subdivide->add_option("--axes", subdivide_.axes, "Coordinates drawn in SVG: i,j counted from 1");
@@ -214,7 +242,7 @@ void Reader::add_curve_commands() {
                                   "converge @fibonacci data/curves/fibonacci-open.json -n 8",
                                   "converge @fibonacci data/curves/fibonacci-open.json -n 6 --html report.html"));
     add_grammar(converge, converge_.grammar, true);
-    add_polygon(converge, converge_.polygon);
+    add_polygon(converge, converge_.polygon, nullptr);
     add_output(converge, converge_.output, {"text", "json"});
     add_steps(converge, converge_.steps, "Steps of subdivision");
     converge
@@ -235,7 +263,7 @@ void Reader::add_pyramid_commands() {
                                  "reverse @fibonacci data/curves/leaf.csv -d 2 -n 2 --closed --word LS --repeat "
                                  "--keep 5 -o pyramid.json"));
     add_grammar(reverse, reverse_.grammar, true);
-    add_polygon(reverse, reverse_.polygon);
+    add_polygon(reverse, reverse_.polygon, nullptr);
     add_output(reverse, reverse_.output, {"text", "json"});
     const auto levels = [this](const std::string& text) { reverse_.levels = whole_number(text); };
     const auto keep = [this](const std::string& text) { reverse_.keep = whole_number(text); };
@@ -386,6 +414,10 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     line.common.command_line = public_command_line(argc, argv);
     std::visit(
         [](auto& options) {
+            if constexpr (requires { options.sides; }) {
+                settle_grid_options(options);
+                if (options.is_grid()) return;
+            }
             if constexpr (requires { options.polygon; }) settle_places(options);
             if constexpr (requires { options.grammar; }) check_grammar(options.grammar);
         },

@@ -19,6 +19,8 @@ using Context = CommonOptions;
 ExitCode run(const ValidateOptions& options, const Context& context);
 ExitCode run(const MasksOptions& options, const Context& context);
 ExitCode run(const SubdivideOptions& options, const Context& context);
+/// `subdivide` with --u and --v.
+ExitCode subdivide_grid(const SubdivideOptions& options, const Context& context);
 ExitCode run(const ConvergeOptions& options, const Context& context);
 ExitCode run(const ReverseOptions& options, const Context& context);
 ExitCode run(const ComposeOptions& options, const Context& context);

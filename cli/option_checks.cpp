@@ -2,10 +2,12 @@
 
 #include "cli/option_checks.h"
 
+#include "internode/curve/knots.h"
 #include "internode/io/number.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 namespace internode::cli {
@@ -21,6 +23,18 @@ std::optional<std::uint64_t> whole_number(const std::string& text) {
     const auto read = std::from_chars(text.data(), end, value);
     if (read.ec != std::errc() || read.ptr != end) return std::nullopt;
     return value;
+}
+
+std::vector<int> degrees(std::string_view text) {
+    std::vector<int> result;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const auto degree = whole_number(std::string(text.substr(begin, end - begin)));
+        if (!degree || *degree < 1 || *degree > max_degree || result.size() == 2) return {};
+        result.push_back(static_cast<int>(*degree));
+        begin = end + 1;
+    }
+    return result;
 }
 
 std::string whole_number_problem(const std::string& text) {

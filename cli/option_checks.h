@@ -7,11 +7,16 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace internode::cli {
 
 /// The number of a text that is digits and nothing else, within 64 bits.
 [[nodiscard]] std::optional<std::uint64_t> whole_number(const std::string& text);
+
+/// One degree of a B-spline, or two with a comma between them; nothing for any other text.
+[[nodiscard]] std::vector<int> degrees(std::string_view text);
 
 [[nodiscard]] std::string whole_number_problem(const std::string& text);
 [[nodiscard]] std::string positive_number(const std::string& text);

@@ -6,6 +6,7 @@
 
 #include "internode/stencil/kernel.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -73,6 +74,14 @@ struct PolygonOptions {
     std::uint64_t max_points = 100'000'000;
 };
 
+/// One direction of a grid.
+struct GridSideOptions {
+    std::string grammar; ///< file, `@name`, `-`; empty = a curve is meant
+    std::optional<int> degree;
+    std::string word; ///< empty = the JSON's, or the axiom
+};
+
+/// A curve, or with --u and --v a grid: `polygon` then says its file, repetition and limit alone.
 struct SubdivideOptions {
     GrammarSource grammar;
     PolygonOptions polygon;
@@ -81,7 +90,11 @@ struct SubdivideOptions {
     bool limit = false;
     bool derivatives = false; ///< with --limit
     bool plan = false;
-    std::string axes; ///< "1,2" of --axes; empty = the first two
+    std::string axes;                     ///< "1,2" of --axes; empty = the first two
+    std::array<GridSideOptions, 2> sides; ///< u and v
+    bool normals = false;                 ///< with --limit, of a grid
+
+    [[nodiscard]] bool is_grid() const { return !sides[0].grammar.empty() || !sides[1].grammar.empty(); }
 };
 
 struct ConvergeOptions {

@@ -71,6 +71,9 @@ std::string chosen_format(const OutputTarget& target, const std::vector<std::str
     if (!target.format.empty() && known && name != target.format)
         throw failure(ExitCode::Usage,
                       fmt::format("the format {} and the extension `.{}` of -o disagree", target.format, written));
+    if (!target.format.empty() && std::ranges::find(formats, target.format) == formats.end())
+        throw failure(ExitCode::Usage, fmt::format("no format {} for this output", target.format),
+                      fmt::format("use one of {}", fmt::join(formats, ", ")));
     if (!target.format.empty()) return target.format;
     if (target.file == "-" || target.file.rfind("/dev/", 0) == 0 || name.empty()) return fallback;
     if (known) return name;

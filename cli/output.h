@@ -15,7 +15,7 @@
 namespace internode::cli {
 
 /// The format that --format, or else the extension of -o, asks for; `fallback` when neither says it.
-/// \throw Failure (Usage) for an extension that is not among `formats`
+/// \throw Failure (Usage) for one that is not among `formats`
 [[nodiscard]] std::string chosen_format(const OutputTarget& target, const std::vector<std::string>& formats,
                                         const std::string& fallback);
 

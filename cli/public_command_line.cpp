@@ -18,6 +18,9 @@ std::string base_name(const std::string& word) {
 /// Options whose value changes no byte of an output.
 constexpr std::array<std::string_view, 6> silent{"-o", "--output", "--html", "--coarse", "--picture", "--threads"};
 
+/// Options whose value is the user's text and no place.
+constexpr std::array<std::string_view, 5> literal{"-e", "--expression", "--word", "--word-u", "--word-v"};
+
 bool is_silent(std::string_view option) {
     return std::ranges::find(silent, option) != silent.end();
 }
@@ -34,10 +37,9 @@ std::string public_command_line(int argc, const char* const* argv) {
         }
         const bool joined = is_silent(std::string_view(word).substr(0, word.find('='))) || word.starts_with("-o");
         if (joined) continue;
-        const std::string previous = argv[i - 1];
-        const bool literal = previous == "-e" || previous == "--expression" || previous == "--word";
+        const bool is_text = std::ranges::find(literal, std::string_view(argv[i - 1])) != literal.end();
         text += ' ';
-        text += literal ? "'" + word + "'" : base_name(word);
+        text += is_text ? "'" + word + "'" : base_name(word);
     }
     return text;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "cli/commands.h"
+#include "cli/lengths.h"
 #include "cli/limit_output.h"
 #include "cli/load.h"
 #include "cli/output.h"
@@ -65,23 +66,6 @@ bool has_weights(const LoadedCurve& loaded) {
     return loaded.coordinates == Coordinates::Homogeneous;
 }
 
-/// The lengths of the letters at the curve's step, a_i / ρ^s: with them the file reads back as the same curve.
-std::vector<CurveLength> current_lengths(const Curve& curve) {
-    const IntervalSystem& system = curve.system();
-    const Number scale = pow(system.ratio(), -curve.step());
-    std::vector<CurveLength> lengths;
-    for (std::size_t i = 0; i < system.alphabet().size(); ++i) {
-        if (!system.occurs(to_symbol(i))) continue;
-        const Number length = system.lengths()[i] * scale;
-        CurveLength& row = lengths.emplace_back();
-        row.symbol = system.alphabet().names()[i];
-        row.value = length.to_double();
-        for (const Rational& coefficient : length.coefficients(system.field()))
-            row.exact.push_back(to_string(coefficient));
-    }
-    return lengths;
-}
-
 void write_json(Sink& sink, const Curve& curve, const PointsView& points, bool weighted, const Context& context) {
     CurveDocument document;
     document.version = generator(context).version;
@@ -90,7 +74,7 @@ void write_json(Sink& sink, const Curve& curve, const PointsView& points, bool w
     document.ends = curve.ends();
     document.symbols = curve.system().alphabet().names();
     document.word = curve.word();
-    document.lengths = current_lengths(curve);
+    document.lengths = current_lengths(curve.knots());
     document.points = points;
     document.weighted = weighted;
     write_curve_json(sink, document);
@@ -146,6 +130,7 @@ std::string picture_title(const SubdivideOptions& options, const LoadedCurve& lo
 } // namespace
 
 ExitCode run(const SubdivideOptions& options, const Context& context) {
+    if (options.is_grid()) return subdivide_grid(options, context);
     const std::string format = chosen_format(options.output, {"csv", "json", "npy", "obj", "svg"}, "csv");
     const IntervalSystem system = load_system(options.grammar);
     const LoadedCurve loaded = load_curve(system, options.polygon);

@@ -545,6 +545,17 @@ def check_curve(document):
         require(len(document["word"]) == letters, f"{len(document['word'])} letters for {len(points)} points")
 
 
+def check_grid(document):
+    rows = document["points"]
+    require(len({len(row) for row in rows}) == 1, "rows of different size")
+    require(len({len(point) for row in rows for point in row}) == 1, "points of different dimension")
+    if document.get("rational", False):
+        require(all(point[-1] > 0 for row in rows for point in row), "a weight that is not positive")
+    for side, count in enumerate((len(rows), len(rows[0]))):
+        letters = count + (0 if document["closed"][side] else document["degree"][side])
+        require(len(document["word"][side]) == letters, f"{len(document['word'][side])} letters for {count} points")
+
+
 def refined_word(rules, word, degree, closed):
     def image(part):
         return [child for symbol in part for child in (["0"] if symbol == "0" else rules[symbol])]
@@ -741,6 +752,7 @@ CHECKS = {
     "internode-automaton": ("automaton", check_automaton),
     "internode-convergence": ("convergence", check_convergence),
     "internode-curve": ("curve", check_curve),
+    "internode-grid": ("grid", check_grid),
     "internode-pyramid": ("pyramid", check_pyramid),
 }
 

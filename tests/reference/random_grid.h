@@ -36,10 +36,12 @@ inline Grid random_grid(Random& random, const Knots& u, const Knots& v, std::siz
     return grid_of(std::move(data));
 }
 
-/// One curve refined, without its knots.
+/// One curve refined step by step, without its knots.
 inline std::vector<double> refined_points(const Knots& knots, std::size_t dimension, std::vector<double> points,
                                           int steps) {
-    return refine(make_curve(knots, dimension, std::move(points)).curve.value(), steps).points();
+    Refinement refinement(make_curve(knots, dimension, std::move(points)).curve.value());
+    for (int step = 0; step < steps; ++step) refinement.step();
+    return refinement.curve().points();
 }
 
 /// The points of the refined grid: each row a curve along v, then each column a curve along u.

@@ -79,11 +79,11 @@ TEST(Grid, NamesThePlaceOfWhatIsNotFinite) {
     EXPECT_EQ(problems(data).back(), "and 13 more coordinates like these");
 }
 
-TEST(Grid, RefusesWeightsThatAreNotPositive) {
+TEST(Grid, RefusesWeightsThatAreNotPositiveOrTooSmallToDivideBy) {
     GridData data = small_data();
     data.rational = true;
     EXPECT_THAT(problems(data), SizeIs(0));
-    for (const double weight : {0.0, -0.0, -1.0}) {
+    for (const double weight : {0.0, -0.0, -1.0, 1e-101, 1e101}) {
         data.points[5] = weight;
         EXPECT_THAT(problems(data), ElementsAre(HasSubstr("row 1, column 2, coordinate 3 is")));
     }

@@ -36,8 +36,6 @@ bool fits_float(double value) {
 
 void check(const Sheet& sheet, MeshFormat format) {
     if (const auto problem = mesh_problem(sheet, format)) throw std::invalid_argument(*problem);
-    if (!std::ranges::all_of(sheet.points, [](double x) { return std::isfinite(x); }))
-        throw std::invalid_argument("a coordinate is not a finite number");
 }
 
 void put_numbers(TextBuffer& text, std::string_view keyword, const std::array<double, 3>& numbers) {
@@ -103,6 +101,8 @@ std::optional<std::string> mesh_problem(const Sheet& sheet, MeshFormat format) {
     if (sheet.points.size() != vertex_count(sheet) * sheet.dimension ||
         (!sheet.normals.empty() && sheet.normals.size() != vertex_count(sheet) * 3))
         return "the points or normals of the sheet are not one for each vertex";
+    if (!std::ranges::all_of(sheet.points, [](double x) { return std::isfinite(x); }))
+        return "a coordinate is beyond the range of doubles";
     if (format == MeshFormat::Ply && vertex_count(sheet) > max_ply_vertices)
         return std::to_string(vertex_count(sheet)) + " vertices, but PLY has at most " +
                std::to_string(max_ply_vertices);

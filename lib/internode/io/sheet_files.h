@@ -27,11 +27,10 @@ inline constexpr std::uint64_t max_stl_triangles = (std::uint64_t{1} << 32U) - 1
 enum class MeshFormat { Obj, Ply, Stl };
 
 /// Why the sheet cannot be written in that format, a sentence with the numbers; nothing when it can. Looks at every
-/// coordinate for STL, whose numbers are floats.
+/// coordinate: all must be finite, and floats for STL.
 [[nodiscard]] std::optional<std::string> mesh_problem(const Sheet& sheet, MeshFormat format);
 
-// Each writes the whole sheet; false if the sink failed. \throw std::invalid_argument with mesh_problem(), and for
-// numbers that are not finite
+// Each writes the whole sheet; false if the sink failed. \throw std::invalid_argument with mesh_problem()
 
 /// Wavefront OBJ: `v`, `vn`, and a quadrilateral `f` per face.
 bool write_obj(Sink& sink, const Sheet& sheet, std::span<const std::string> comments = {});

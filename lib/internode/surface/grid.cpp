@@ -2,6 +2,8 @@
 
 #include "internode/surface/grid.h"
 
+#include "internode/curve/homogeneous.h"
+
 #include <cmath>
 #include <fmt/format.h>
 
@@ -30,7 +32,8 @@ std::vector<std::string> size_problems(const GridData& data) {
 std::string value_problem(const GridData& data, std::size_t column, double value) {
     if (!std::isfinite(value)) return "every coordinate must be a finite number";
     const bool is_weight = data.rational && column + 1 == data.dimension;
-    return is_weight && value <= 0 ? "every weight must be positive" : std::string();
+    if (!is_weight || !first_bad_weight({&value, 1})) return {};
+    return fmt::format("every weight must be between {} and {}", smallest_weight, largest_weight);
 }
 
 std::vector<std::string> value_problems(const GridData& data) {
@@ -66,14 +69,7 @@ CheckedGrid make_grid(GridData data) {
 }
 
 std::vector<double> projected_points(const Grid& grid) {
-    if (!grid.rational()) return grid.points();
-    const std::size_t dimension = grid.dimension();
-    std::vector<double> projected;
-    projected.reserve(grid.size() * grid.space_dimension());
-    for (std::size_t row = 0; row < grid.points().size(); row += dimension)
-        for (std::size_t c = 0; c + 1 < dimension; ++c)
-            projected.push_back(grid.points()[row + c] / grid.points()[row + dimension - 1]);
-    return projected;
+    return grid.rational() ? projected_points(grid.points(), grid.dimension()) : grid.points();
 }
 
 } // namespace internode

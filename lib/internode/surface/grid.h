@@ -19,6 +19,7 @@
 
 namespace internode {
 
+struct ApplyOptions;
 struct GridData;
 struct CheckedGrid;
 
@@ -38,7 +39,7 @@ public:
 
 private:
     friend CheckedGrid make_grid(GridData data);
-    friend Grid refine(const Grid& grid, int steps_u, int steps_v);
+    friend Grid refine(const Grid& grid, int steps_u, int steps_v, const ApplyOptions& options);
     explicit Grid(GridData data);
     Knots u_;
     Knots v_;
@@ -51,7 +52,7 @@ struct GridData {
     Knots u;
     Knots v;
     std::size_t dimension = 3;  ///< >= 1, and >= 2 when rational
-    bool rational = false;      ///< the last coordinate is the weight, > 0
+    bool rational = false;      ///< the last coordinate is the weight, > 0 (curve/homogeneous.h)
     std::vector<double> points; ///< u.size() · v.size() rows of `dimension` coordinates
 };
 
@@ -60,7 +61,7 @@ struct CheckedGrid {
     std::vector<std::string> problems; ///< what does not, each a sentence with the numbers
 };
 
-/// Checks that there is a point for each pair of knots, that every coordinate is finite and every weight positive. At
+/// Checks that there is a point for each pair of knots, that every coordinate is finite and every weight positive, by a margin. At
 /// most a few problems of each kind are listed.
 [[nodiscard]] CheckedGrid make_grid(GridData data);
 

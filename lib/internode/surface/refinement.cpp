@@ -31,16 +31,17 @@ GridSize refined_size(const Grid& grid, std::uint64_t steps_u, std::uint64_t ste
     size.columns = v.points;
     size.points = product(size.rows, size.columns);
     size.exceeded = u.exceeded || v.exceeded || size.points > cap;
-    const std::uint64_t between = product(grid.u().size(), size.columns);
-    const std::uint64_t all = sum(sum(grid.size(), between), size.points);
-    size.bytes = product(all, grid.dimension() * sizeof(double));
+    // The last block of steps along u reads at most what there is before the last step (surface/grid_plan.h).
+    const std::uint64_t rows_before = steps_u == 0 ? size.rows : refined_size(grid.u(), 1, steps_u - 1, cap).points;
+    const std::uint64_t work = product(rows_before, sum(grid.v().size(), size.columns));
+    size.bytes = product(sum(sum(grid.size(), work), size.points), grid.dimension() * sizeof(double));
     return size;
 }
 
-Grid refine(const Grid& grid, int steps_u, int steps_v) {
+Grid refine(const Grid& grid, int steps_u, int steps_v, const ApplyOptions& options) {
     const GridPlan plan(grid.u(), grid.v(), steps_u, steps_v);
     std::vector<double> points(plan.output_rows() * plan.output_columns() * grid.dimension());
-    plan.apply(grid.points(), grid.dimension(), points);
+    plan.apply(grid.points(), grid.dimension(), points, options);
     return Grid({refined_knots(grid.u(), steps_u), refined_knots(grid.v(), steps_v), grid.dimension(), grid.rational(),
                  std::move(points)});
 }
