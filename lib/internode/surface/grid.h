@@ -61,8 +61,8 @@ struct CheckedGrid {
     std::vector<std::string> problems; ///< what does not, each a sentence with the numbers
 };
 
-/// Checks that there is a point for each pair of knots, that every coordinate is finite and every weight positive, by a margin. At
-/// most a few problems of each kind are listed.
+/// Checks that there is a point for each pair of knots, that every coordinate is finite and every weight positive, by a
+/// margin. At most a few problems of each kind are listed.
 [[nodiscard]] CheckedGrid make_grid(GridData data);
 
 /// The control points in space, size() rows of space_dimension() coordinates: divided by their weights when rational.

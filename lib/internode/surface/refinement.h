@@ -26,8 +26,8 @@ struct GridSize {
 /// The size after so many steps in each direction, without refining. Stops counting beyond `cap` points.
 [[nodiscard]] GridSize refined_size(const Grid& grid, std::uint64_t steps_u, std::uint64_t steps_v, std::uint64_t cap);
 
-/// The grid after steps >= 0 in each direction, the fast way (surface/grid_plan.h). \throw std::invalid_argument for fewer,
-/// TooManyStates
+/// The grid after steps >= 0 in each direction, the fast way (surface/grid_plan.h). \throw std::invalid_argument for
+/// fewer, TooManyStates
 [[nodiscard]] Grid refine(const Grid& grid, int steps_u, int steps_v, const ApplyOptions& options = {});
 
 } // namespace internode
