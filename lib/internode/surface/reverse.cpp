@@ -27,8 +27,9 @@ public:
 
     [[nodiscard]] std::size_t fine_size() const { return hierarchy_.size(hierarchy_.levels()); }
 
-    [[nodiscard]] std::vector<double> decomposed(std::vector<double> fine, std::size_t dimension) const {
-        std::vector<double> coefficients = fine;
+    [[nodiscard]] std::vector<double> decomposed(const std::vector<double>& points, std::size_t dimension) const {
+        std::vector<double> fine = points;
+        std::vector<double> coefficients = points;
         for (int level = hierarchy_.levels() - 1; level >= 0; --level) {
             const ReverseStep step(hierarchy_, level, options_);
             std::vector<double> coarse = step.coarse(fine, dimension);
@@ -67,7 +68,7 @@ std::vector<double> transposed(std::span<const double> points, std::size_t rows,
     return result;
 }
 
-using Apply = std::vector<double> (*)(const Line& line, std::vector<double> rows, std::size_t dimension);
+using Apply = std::vector<double> (*)(const Line& line, const std::vector<double>& rows, std::size_t dimension);
 
 /// A map of lines along v, then along u.
 std::vector<double> applied(const GridHierarchy& hierarchy, std::size_t dimension, std::span<const double> points,
@@ -80,7 +81,7 @@ std::vector<double> applied(const GridHierarchy& hierarchy, std::size_t dimensio
     if (dimension == 0 || points.size() % dimension != 0 || points.size() / dimension % columns != 0 ||
         points.size() / dimension / columns != rows)
         throw std::invalid_argument("the points are not those of the fine grid");
-    std::vector<double> along_v = apply(v, transposed(points, rows, columns, dimension), rows * dimension);
+    const std::vector<double> along_v = apply(v, transposed(points, rows, columns, dimension), rows * dimension);
     return apply(u, transposed(along_v, columns, rows, dimension), columns * dimension);
 }
 
@@ -89,16 +90,17 @@ std::vector<double> applied(const GridHierarchy& hierarchy, std::size_t dimensio
 std::vector<double> decomposed(const GridHierarchy& hierarchy, std::size_t dimension, std::span<const double> fine,
                                const ReverseOptions& options) {
     return applied(hierarchy, dimension, fine, options,
-                   [](const Line& line, std::vector<double> rows, std::size_t width) {
-                       return line.decomposed(std::move(rows), width);
+                   [](const Line& line, const std::vector<double>& rows, std::size_t width) {
+                       return line.decomposed(rows, width);
                    });
 }
 
 std::vector<double> recomposed(const GridHierarchy& hierarchy, std::size_t dimension,
                                std::span<const double> coefficients, const ReverseOptions& options) {
-    return applied(
-        hierarchy, dimension, coefficients, options,
-        [](const Line& line, std::vector<double> rows, std::size_t width) { return line.recomposed(rows, width); });
+    return applied(hierarchy, dimension, coefficients, options,
+                   [](const Line& line, const std::vector<double>& rows, std::size_t width) {
+                       return line.recomposed(rows, width);
+                   });
 }
 
 } // namespace internode
