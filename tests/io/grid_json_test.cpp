@@ -145,6 +145,22 @@ TEST(InputGrid, TakesWordsAsTextsOrArrays) {
     EXPECT_THAT(parsed.grid->sides[0].lengths.at(0).coefficients, ElementsAre(Rational(3, 2)));
 }
 
+TEST(InputGrid, TakesKnotsOfEitherSide) {
+    const auto read = [](const std::string& rest) {
+        return read_grid_json("{\"points\":[[[0],[1]],[[2],[3]]]," + rest + "}", "g");
+    };
+    const ParsedGrid parsed = read(R"("knots":[[0,"1/2",{"exact":["1","2"]}],null],"word":[null,"LL"])");
+    ASSERT_TRUE(parsed.grid.has_value());
+    EXPECT_THAT(parsed.grid->sides[0].knots.value(),
+                ElementsAre(ElementsAre(0), ElementsAre(Rational(1, 2)), ElementsAre(1, 2)));
+    EXPECT_FALSE(parsed.grid->sides[1].knots);
+    const auto message = [&](const std::string& rest) { return read(rest).errors.at(0).message; };
+    EXPECT_THAT(message(R"("knots":[[0,1],[0,1]],"word":[null,"LL"])"), HasSubstr("exclude each other"));
+    EXPECT_THAT(message(R"("knots":[0,1,2])"), HasSubstr("array of two"));
+    EXPECT_THAT(message(R"("knots":[0,1])"), HasSubstr("an array of at most 5000000 knots"));
+    EXPECT_THAT(message(R"("knots":[["x"],null])"), HasSubstr("exact number"));
+}
+
 TEST(InputGrid, RefusesWhatIsNoGrid) {
     const auto with = [](const std::string& members) { return "{" + members + R"(,"points":[[[1],[2]]]})"; };
     EXPECT_THAT(problems("[1]"), ElementsAre("a grid is an object, not an array"));

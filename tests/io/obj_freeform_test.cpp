@@ -106,6 +106,23 @@ TEST(ObjFreeform, AnElementIsAPolygon) {
     EXPECT_TRUE(free_form_polygon(file, file.elements.at(1)).weights.empty());
 }
 
+TEST(ObjFreeform, ASurfaceIsAGridWithRowsAlongU) {
+    const FreeFormFile file = read("v 0 0 0 1\nv 1 0 0 2\nv 2 0 0 1\nv 0 1 0 1\nv 1 1 0 1\nv 2 1 0 1\n"
+                                   "cstype rat bspline\ndeg 2 1\nsurf 0 1 0 2 1 2 3 4 5 6\n"
+                                   "parm u 0 0 0 1 1 1\nparm v 0 0 2 2\nend\n"
+                                   "cstype bspline\ndeg 1\ncurv 0 1 1 2\nparm u 0 0 1 1\nend\n");
+    const InputGrid grid = free_form_grid(file, file.elements.at(0));
+    EXPECT_EQ(grid.rows, 3U);
+    EXPECT_EQ(grid.columns, 2U);
+    EXPECT_EQ(grid.dimension, 4U);
+    EXPECT_TRUE(grid.rational);
+    EXPECT_THAT(grid.points, ElementsAre(0, 0, 0, 1, 0, 1, 0, 1, 2, 0, 0, 2, 1, 1, 0, 1, 2, 0, 0, 1, 2, 1, 0, 1));
+    EXPECT_EQ(grid.sides[0].degree, 2U);
+    EXPECT_THAT(grid.sides[1].knots.value(),
+                ElementsAre(ElementsAre(0), ElementsAre(0), ElementsAre(2), ElementsAre(2)));
+    EXPECT_THROW((void)free_form_grid(file, file.elements.at(1)), std::invalid_argument);
+}
+
 TEST(ObjFreeform, ChecksEveryIndexWhereItStands) {
     for (const std::string index :
          {"0", "-0", "5", "-5", "2147483648", "-2147483648", "4294967296", "4294967297", "9223372036854775808",

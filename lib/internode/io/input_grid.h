@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A control net as a JSON file of format "internode-grid" gives it (docs/json.md): rows of points, and for each of the
-// two directions whatever the file says about degree, ends, word and lengths. Whether these fit each other and two
-// grammars is for surface/ to say.
+// two directions whatever the file says about degree, ends, word and lengths, or knots. Whether these fit each other
+// and two grammars is for surface/ to say.
 
 #pragma once
 
@@ -24,7 +24,7 @@ struct InputGrid {
     std::size_t dimension = 0;           ///< 1 … max_dimension, the weight included
     bool rational = false;               ///< the last coordinate is the weight
     std::vector<double> points;          ///< rows · columns, row after row, all finite
-    std::array<InputPolygon, 2> sides{}; ///< u and v: degree, closed, word and lengths of each; without points
+    std::array<InputPolygon, 2> sides{}; ///< u and v: degree, closed, word, lengths and knots of each; without points
 };
 
 struct ParsedGrid {

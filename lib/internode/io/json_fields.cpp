@@ -104,12 +104,23 @@ std::vector<InputLength> JsonFields::lengths(const JsonValue& value) {
     return result;
 }
 
+std::vector<InputNumber> JsonFields::knots(const JsonValue& value) {
+    const JsonArray* const array = value.array();
+    if (array == nullptr || array->size() > max_knots) {
+        refuse(value, "`knots` must be an array of at most " + std::to_string(max_knots) + " knots");
+        return {};
+    }
+    std::vector<InputNumber> knots(array->size());
+    for (std::size_t i = 0; i < knots.size() && !full(); ++i) (void)length((*array)[i], knots[i]);
+    return knots;
+}
+
 /// "3/2", 1.5, or {"exact": ["-3", "2"], …} as our own files have it.
 bool JsonFields::length(const JsonValue& value, std::vector<Rational>& coefficients) {
     if (value.object() == nullptr) return rational(value, coefficients);
     const JsonValue* const exact = value.find("exact");
     if (exact == nullptr || exact->array() == nullptr || exact->array()->empty()) {
-        refuse(value, "a length as an object needs `exact`, the array of its coefficients");
+        refuse(value, "an exact number as an object needs `exact`, the array of its coefficients");
         return false;
     }
     return std::ranges::all_of(*exact->array(), [&](const JsonValue& entry) { return rational(entry, coefficients); });
