@@ -3,10 +3,11 @@
 #include "cli/grid.h"
 
 #include "cli/exit_code.h"
+#include "cli/free_form.h"
 #include "cli/load.h"
 #include "cli/symbols.h"
 #include "internode/grammar/diagnostic.h"
-#include "internode/io/input_grid.h"
+#include "internode/io/free_form_input.h"
 
 #include <fmt/format.h>
 
@@ -28,8 +29,17 @@ struct SaidWord {
     std::string origin; ///< "--word-u", "the grid's word", "the axiom"
 };
 
-InputGrid read_grid_file(const std::string& place) {
-    const LoadedText input = load_text(place);
+InputGrid read_grid_file(const PolygonOptions& options) {
+    const LoadedText input = load_text(options.place);
+    if (is_obj(input)) {
+        const FreeFormFile file = load_free_forms(input);
+        const FreeForm& element = chosen_element(file, options.element);
+        if (!element.v)
+            throw failure(ExitCode::Refused, fmt::format("{} is a curve", element_name(file, element)),
+                          "a curve has one grammar: subdivide G FILE");
+        return free_form_grid(file, element);
+    }
+    refuse_element(options.element, input);
     ParsedGrid parsed = read_grid_json(input.text, input.source);
     if (!parsed.grid) throw Failure(ExitCode::Refused, to_string(parsed.errors));
     return *std::move(parsed.grid);
@@ -122,9 +132,23 @@ Failure refused(const std::string& source, const std::string& along, const std::
     return {ExitCode::Refused, text};
 }
 
+/// Knots that the file says leave nothing to say on the command line.
+Knots knots_of_file(const Side& side, const IntervalSystem& system, int degree) {
+    if (!side.options.word.empty())
+        throw failure(ExitCode::Refused, fmt::format("the knots of {} along {} leave nothing to --word-{}",
+                                                     side.input.source, side.name, side.name));
+    const std::string along = fmt::format("along {}: ", side.name);
+    const Ends ends = side.input.closed.value_or(false) ? Ends::Circular : Ends::Open;
+    KnotWord said = word_of_knots(system, side.input, side.points, degree, ends, along);
+    CheckedKnots checked = make_knots(said.system, {degree, ends, std::move(said.word)});
+    if (!checked.knots) throw refused(side.input.source, along, checked.problems);
+    return *std::move(checked.knots);
+}
+
 Knots load_knots(const Side& side, bool repeat) {
     const IntervalSystem system = fixed_lengths(load_system({side.options.grammar, std::nullopt}), side.input);
     const int degree = settled_degree(side);
+    if (side.input.knots) return knots_of_file(side, system, degree);
     const SaidWord said = settled_word(side, system);
     const Ends ends = settled_ends(side, said);
     CheckedKnots checked = make_knots(system, {degree, ends, fitted_word(side, said, degree, ends, repeat)});
@@ -138,7 +162,6 @@ std::string curve_option(const SubdivideOptions& options) {
     if (!options.polygon.word.empty()) return "--word";
     if (options.polygon.ends != EndsOption::Unsaid) return "the ends of a curve";
     if (options.polygon.rational) return "--rational";
-    if (options.polygon.element) return "--element";
     if (options.derivatives) return "--derivatives";
     return options.axes.empty() ? std::string() : "--axes";
 }
@@ -175,7 +198,7 @@ void settle_grid_options(SubdivideOptions& options) {
 }
 
 LoadedGrid load_grid(const SubdivideOptions& options) {
-    InputGrid input = read_grid_file(options.polygon.place);
+    InputGrid input = read_grid_file(options.polygon);
     const bool repeat = options.polygon.repeat;
     GridData data{load_knots({'u', options.sides[0], input.sides[0], input.rows}, repeat),
                   load_knots({'v', options.sides[1], input.sides[1], input.columns}, repeat), input.dimension,

@@ -182,5 +182,52 @@ TEST_F(Nurbs, RefusesObjFilesWithTheirLines) {
     refused({"@bisection", "flat.obj", "-n", "1"}, "element 1 of flat.obj (line 7) is a surface");
 }
 
+/// How far the vertices of an OBJ lie from the torus of radii 2 and 1.
+double worst_tube(const std::string& obj) {
+    double worst = 0;
+    for (std::size_t at = 0; at < obj.size(); at = obj.find('\n', at) + 1) {
+        if (obj.compare(at, 2, "v ") != 0) continue;
+        double x[3] = {};
+        for (double& coordinate : x) {
+            at = obj.find(' ', at) + 1;
+            coordinate = parse_double(obj.substr(at, obj.find_first_of(" \n", at) - at)).value();
+        }
+        worst = std::max(worst, std::abs(std::hypot(std::hypot(x[0], x[1]) - 2, x[2]) - 1));
+    }
+    return worst;
+}
+
+TEST_F(Nurbs, TheTorusStaysATorus) {
+    for (const std::string file : {"data/grids/torus.json", "data/grids/torus.obj"}) {
+        const std::vector<std::string> job{"--u", "@bisection", "--v", "@bisection", file, "-n", "4"};
+        std::vector<std::string> limit = job;
+        limit.insert(limit.end(), {"--limit", "--format", "obj"});
+        const Outcome outcome = run(limit);
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_LE(worst_tube(outcome.out), 1e-13);
+        std::vector<std::string> saved = job;
+        saved.insert(saved.end(), {"-o", "four.json"});
+        ASSERT_EQ(run(saved).code, 0);
+        const Outcome again =
+            run({"--u", "@bisection", "--v", "@trisection", "four.json", "-n", "1", "--limit", "--format", "obj"});
+        ASSERT_EQ(again.code, 0) << again.err;
+        EXPECT_LE(worst_tube(again.out), 1e-13);
+    }
+}
+
+TEST_F(Nurbs, RefusesGridsWhoseKnotsDoNotFit) {
+    const auto grid = [this](const std::string& file, const std::vector<std::string>& more) {
+        std::vector<std::string> line{"--u", "@bisection", "--v", "@bisection", file, "-n", "1"};
+        line.insert(line.end(), more.begin(), more.end());
+        return line;
+    };
+    refused(grid("data/grids/torus.json", {"--word-u", "A"}), "along u leave nothing to --word-u");
+    refused(grid("data/grids/torus.json", {"--element", "1"}), "no OBJ file");
+    refused(grid("data/curves/circle.obj", {}), "is a curve");
+    here.file("short.json", R"({"degree":[1,1],"points":[[[0],[1]],[[2],[3]]],"knots":[[0,0,1,1],[0,2,1]]})");
+    refused(grid("short.json", {}), "along v: an open curve of degree 1 with 2 points needs 4 knots");
+    refused({"--u", "@fibonacci", "--v", "@bisection", "data/grids/torus.json", "-n", "1"}, "along u: ");
+}
+
 } // namespace
 } // namespace internode::tests
