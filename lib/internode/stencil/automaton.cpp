@@ -25,10 +25,12 @@ public:
             throw std::invalid_argument("a window of degree d has 2d-1 letters");
         if (state.lead > automaton_.width() - 1)
             throw std::invalid_argument("a cell is at most d left of its interval");
+        if (state.window[automaton_.width() - 2] == zero_interval)
+            throw std::invalid_argument("the middle interval of a window is not empty");
         (void)number(state);
     }
 
-    StencilAutomaton build() {
+    StencilAutomaton build(AutomatonRows rows) {
         // Expanding a state may add others behind it.
         std::size_t expanded = 0;
         while (expanded < automaton_.states_.size()) {
@@ -36,22 +38,39 @@ public:
             expand(automaton_.states_[expanded++]);
         }
         automaton_.first_child_.push_back(automaton_.children_.size());
+        if (rows == AutomatonRows::Exact)
+            for (std::uint32_t state = 0; state < automaton_.state_count(); ++state) add_rows(state);
         return std::move(automaton_);
     }
 
 private:
     /// By value: the states move while new ones are added.
     void expand(CellState state) {
-        const WindowPiece piece(system_, state.window);
-        if (state.lead > 0) {
-            add_child({piece.child_window(0), state.lead}, piece.leading(state.lead));
-            return;
+        const std::size_t d = automaton_.width() - 1;
+        Word image;
+        std::size_t first = 0; // child of the middle letter
+        for (std::size_t i = 0; i < state.window.size(); ++i) {
+            if (i + 1 == d) first = image.size();
+            const WordView letters = system_.rules().image(state.window[i]);
+            image.insert(image.end(), letters.begin(), letters.end());
         }
-        for (std::size_t c = 0; c < piece.child_count(); ++c) add_child({piece.child_window(c), 0}, piece.child(c));
+        const std::size_t count = state.lead > 0 ? 1 : system_.rules().image(state.window[d - 1]).size();
+        for (std::size_t c = 0; c < count; ++c) {
+            const auto begin = image.begin() + static_cast<std::ptrdiff_t>(first + c + 1 - d);
+            const CellState child{{begin, begin + static_cast<std::ptrdiff_t>(2 * d - 1)}, state.lead};
+            automaton_.children_.push_back({number(child), 0});
+        }
     }
 
-    void add_child(const CellState& child, const std::vector<Number>& row) {
-        automaton_.children_.push_back({number(child), shared(row)});
+    void add_rows(std::uint32_t state) {
+        const auto [window, lead] = automaton_.states_[state];
+        const WindowPiece piece(system_, window);
+        StencilAutomaton::Child* const children = automaton_.children_.data() + automaton_.first_child_[state];
+        if (lead > 0) {
+            children[0].row = shared(piece.leading(lead));
+            return;
+        }
+        for (std::size_t c = 0; c < piece.child_count(); ++c) children[c].row = shared(piece.child(c));
     }
 
     std::uint32_t number(const CellState& state) {
@@ -112,11 +131,11 @@ std::uint32_t StencilAutomaton::find(const CellState& state) const {
 }
 
 StencilAutomaton make_automaton(const IntervalSystem& system, int degree, const std::vector<CellState>& start,
-                                std::size_t limit) {
+                                std::size_t limit, AutomatonRows rows) {
     if (degree < 1 || degree > 12) throw std::invalid_argument("a stencil automaton has a degree from 1 to 12");
     AutomatonBuilder builder(system, degree, std::min<std::size_t>(limit, std::numeric_limits<std::uint32_t>::max()));
     for (const CellState& state : start) builder.add(state);
-    return builder.build();
+    return builder.build(rows);
 }
 
 namespace {

@@ -39,17 +39,21 @@ public:
     using std::length_error::length_error;
 };
 
+/// Whether an automaton has its weights, which are nearly all of its cost, or states and children alone.
+enum class AutomatonRows { Exact, None };
+
 class StencilAutomaton {
 public:
     struct Child {
         std::uint32_t state; ///< of the new cell
-        std::uint32_t row;   ///< index of its weights
+        std::uint32_t row;   ///< index of its weights; 0 without rows
     };
 
     [[nodiscard]] int degree() const { return degree_; }
     /// d + 1, the weights in a row.
     [[nodiscard]] std::size_t width() const { return static_cast<std::size_t>(degree_) + 1; }
     [[nodiscard]] std::size_t state_count() const { return states_.size(); }
+    /// 0 when it was made without rows.
     [[nodiscard]] std::size_t row_count() const { return weights_.size() / width(); }
     [[nodiscard]] const CellState& state(std::uint32_t state) const { return states_[state]; }
     [[nodiscard]] std::span<const Child> children(std::uint32_t state) const {
@@ -94,7 +98,8 @@ private:
 /// The automaton that holds `start` and everything it leads to. degree 1 … 12; every window 2d-1 letters with a
 /// non-empty middle. \throw TooManyStates beyond `limit`, std::invalid_argument
 [[nodiscard]] StencilAutomaton make_automaton(const IntervalSystem& system, int degree,
-                                              const std::vector<CellState>& start, std::size_t limit);
+                                              const std::vector<CellState>& start, std::size_t limit,
+                                              AutomatonRows rows = AutomatonRows::Exact);
 
 /// The states of the cells of a word: N when circular; N when the word is open and has N + d letters, the first d cells
 /// leading the domain. \throw std::invalid_argument for a word that is too short, a domain that begins or ends with

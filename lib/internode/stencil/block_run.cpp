@@ -10,8 +10,11 @@
 namespace internode {
 namespace {
 
-/// Outputs above this leave the caches before anyone reads them again: they go past the caches.
+/// Wide points of larger outputs, rows of a grid, go past the caches: their many stretches would evict the parents.
+/// Narrow points come in one stretch, which ordinary stores write faster (bench/: fresh and reused, 10 and 24 M
+/// points).
 constexpr std::size_t streamed_bytes = std::size_t{1} << 26;
+constexpr std::size_t narrow = 4;
 /// Cells that are handed to the kernel at once: their descriptions stay in the first cache.
 constexpr std::size_t batch = 128;
 
@@ -48,7 +51,7 @@ std::vector<Task> tasks_of(const FusedStencils& stencils, const State* states, s
 template<typename Scalar, typename State>
 class BlockRun {
 public:
-    BlockRun(const FusedStencils& stencils, const State* states, std::size_t cells, Rows<Scalar> parents)
+    BlockRun(const FusedStencils& stencils, const State* states, std::size_t cells, ParentRows<Scalar> parents)
         : stencils_(stencils)
         , states_(states)
         , cells_(cells)
@@ -65,7 +68,8 @@ public:
         for (const State* state = states_ + tasks.back().first_cell; state != states_ + cells_; ++state)
             points += stencils_.rows(*state);
         points += tasks.back().first_point;
-        const Store store = points * dimension * sizeof(Scalar) > streamed_bytes ? Store::Streamed : Store::Cached;
+        const bool streams = dimension > narrow && points * dimension * sizeof(Scalar) > streamed_bytes;
+        const Store store = streams ? Store::Streamed : Store::Cached;
         const Kernel<Scalar> kernel = internode::kernel<Scalar>(options.isa, stencils_.width, dimension);
         const auto run_task = [&](std::size_t task) {
             run_cells(tasks[task], kernel, out + tasks[task].first_point * dimension, store);
@@ -134,7 +138,7 @@ private:
     const FusedStencils& stencils_;
     const State* states_;
     std::size_t cells_;
-    Rows<Scalar> parents_;
+    ParentRows<Scalar> parents_;
     std::vector<Scalar> own_weights_; ///< when not double
     std::size_t left_ = 0;            ///< cells before this read copies
     std::size_t right_ = 0;           ///< and from this on
@@ -144,7 +148,7 @@ private:
 } // namespace
 
 template<typename Scalar>
-void run_block(const FusedStencils& stencils, const CellArray& cells, Rows<Scalar> parents, Scalar* out,
+void run_block(const FusedStencils& stencils, const CellArray& cells, ParentRows<Scalar> parents, Scalar* out,
                const ApplyOptions& options) {
     cells.visit([&](const auto* states) {
         using State = std::remove_const_t<std::remove_pointer_t<decltype(states)>>;
@@ -152,9 +156,9 @@ void run_block(const FusedStencils& stencils, const CellArray& cells, Rows<Scala
     });
 }
 
-template void run_block(const FusedStencils& stencils, const CellArray& cells, Rows<double> parents, double* out,
+template void run_block(const FusedStencils& stencils, const CellArray& cells, ParentRows<double> parents, double* out,
                         const ApplyOptions& options);
-template void run_block(const FusedStencils& stencils, const CellArray& cells, Rows<float> parents, float* out,
+template void run_block(const FusedStencils& stencils, const CellArray& cells, ParentRows<float> parents, float* out,
                         const ApplyOptions& options);
 
 } // namespace internode

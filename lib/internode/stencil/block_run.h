@@ -14,14 +14,14 @@
 namespace internode {
 
 template<typename Scalar>
-struct Rows {
+struct ParentRows {
     const Scalar* first;   ///< of as many points as there are cells
     std::size_t dimension; ///< coordinates of a point
 };
 
 /// Writes all points after the block to `out`.
 template<typename Scalar>
-void run_block(const FusedStencils& stencils, const CellArray& cells, Rows<Scalar> parents, Scalar* out,
+void run_block(const FusedStencils& stencils, const CellArray& cells, ParentRows<Scalar> parents, Scalar* out,
                const ApplyOptions& options);
 
 } // namespace internode

@@ -3,6 +3,7 @@
 #include "internode/stencil/fused_stencils.h"
 
 #include "internode/algebra/double_double.h"
+#include "internode/spline/window.h"
 
 #include <array>
 #include <cmath>
@@ -182,14 +183,27 @@ void keep(const std::vector<bool>& wanted, FusedStencils& table) {
     table.descendants = std::move(descendants);
 }
 
-/// The exact rows of one step, rounded.
-void add_exact_rows(const StencilAutomaton& automaton, FusedStencils& table) {
+/// The exact rows of one step, rounded; derived here when the automaton was made without.
+void add_exact_rows(const StencilAutomaton& automaton, const IntervalSystem& system, FusedStencils& table) {
+    table.weights.clear();
+    const auto add = [&table](const std::vector<Number>& row) {
+        for (const Number& weight : row) table.weights.push_back(weight.to_double());
+    };
     for (std::uint32_t state = 0; state < automaton.state_count(); ++state) {
         if (table.rows(state) == 0) continue;
-        for (const StencilAutomaton::Child& child : automaton.children(state)) {
-            const auto row = automaton.weights(child.row);
-            table.weights.insert(table.weights.end(), row.begin(), row.end());
+        if (automaton.row_count() > 0) {
+            for (const StencilAutomaton::Child& child : automaton.children(state)) {
+                const auto row = automaton.weights(child.row);
+                table.weights.insert(table.weights.end(), row.begin(), row.end());
+            }
+            continue;
         }
+        const WindowPiece piece(system, automaton.state(state).window);
+        if (automaton.state(state).lead > 0) {
+            add(piece.leading(automaton.state(state).lead));
+            continue;
+        }
+        for (std::size_t c = 0; c < piece.child_count(); ++c) add(piece.child(c));
     }
 }
 
@@ -217,10 +231,10 @@ std::optional<FusedStencils> fuse(const StencilAutomaton& automaton, const Inter
     for (int step = 0; step < steps; ++step) add_generation(automaton, table);
     keep(wanted, table);
     table.weights.reserve(table.row_count() * table.width);
-    if (steps == 1)
-        add_exact_rows(automaton, table);
-    else if (!Fusion(automaton, system, steps).add_rows(table))
-        return std::nullopt;
+    const bool has_exact = steps == 1 && automaton.row_count() > 0;
+    if (!has_exact && Fusion(automaton, system, steps).add_rows(table)) return table;
+    if (steps > 1) return std::nullopt;
+    add_exact_rows(automaton, system, table);
     return table;
 }
 

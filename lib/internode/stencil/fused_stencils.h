@@ -32,7 +32,7 @@ struct FusedStencils {
 };
 
 /// The table of `steps` >= 1 steps of an automaton made from `system`, for the states that are `wanted`: state_count()
-/// entries. None when 106 bits do not suffice for rows that
+/// entries. One step takes the exact rows where the automaton has them. None when 106 bits do not suffice for rows that
 /// are right to a few units of 2^-60, because lengths side by side are too uneven; one step is always there.
 /// \throw std::invalid_argument for steps < 1, std::length_error beyond 2^32 - 1 rows
 [[nodiscard]] std::optional<FusedStencils> fuse(const StencilAutomaton& automaton, const IntervalSystem& system,

@@ -31,7 +31,7 @@ struct CellWork {
     std::size_t rows;
 };
 
-/// Where points go: to memory that will be read soon, or past the caches.
+/// How wide points (more than 4 coordinates) are written: by ordinary stores, or past the caches.
 enum class Store { Cached, Streamed };
 
 /// Writes the new points of `count` cells one after the other, rows of `dimension` coordinates. With a dimension up to

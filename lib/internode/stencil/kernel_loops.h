@@ -4,8 +4,8 @@
 //
 // Everything here is in an unnamed namespace and uses nothing of the standard library that the linker could share with
 // code compiled for another instruction set. A point of 2 to 4 coordinates is one short vector: its store may spill
-// over into the next point, which is written after it. What goes past the caches is gathered on a small stage first and
-// leaves it in whole cache lines.
+// over into the next point, which is written after it. Wide points, whole rows of a grid, go past the caches when
+// asked.
 
 #include "internode/stencil/kernel.h"
 
@@ -79,18 +79,6 @@ inline void stream(const Vector& vector, Scalar* to) {
 #endif
 }
 
-inline void copy_streamed(const char* from, std::size_t bytes, char* to) {
-#if defined(__SSE2__)
-    for (std::size_t i = 0; i < bytes; i += sizeof(__m128i)) {
-        __m128i vector;
-        std::memcpy(&vector, from + i, sizeof vector);
-        _mm_stream_si128(reinterpret_cast<__m128i*>(to + i), vector);
-    }
-#else
-    std::memcpy(to, from, bytes);
-#endif
-}
-
 /// Streamed bytes are seen by other threads only after this.
 inline void fence(Store store) {
 #if defined(__SSE2__)
@@ -100,69 +88,9 @@ inline void fence(Store store) {
 #endif
 }
 
-/// Points on their way to `out`: whole cache lines leave the stage past the caches.
-template<typename Scalar>
-class Stage {
-public:
-    explicit Stage(Scalar* out)
-        : out_(reinterpret_cast<char*>(out)) {}
-
-    /// Room for at least one more point of `point_bytes`; flushes when there is none.
-    inline std::size_t room(std::size_t point_bytes) {
-        if (fill_ + point_bytes > stage_bytes) flush();
-        return (stage_bytes - fill_) / point_bytes;
-    }
-    inline Scalar* next() { return reinterpret_cast<Scalar*>(memory_ + fill_); }
-    inline void advance(std::size_t bytes) { fill_ += bytes; }
-
-    /// All that is left.
-    inline void finish() {
-        flush();
-        std::memcpy(out_, memory_, fill_);
-        fence(Store::Streamed);
-    }
-
-private:
-    inline void flush() {
-        const std::size_t before_line = (line - reinterpret_cast<std::uintptr_t>(out_) % line) % line;
-        if (before_line > fill_) return;
-        const std::size_t taken = before_line + (fill_ - before_line) / line * line;
-        std::memcpy(out_, memory_, before_line);
-        copy_streamed(memory_ + before_line, taken - before_line, out_ + before_line);
-        out_ += taken;
-        fill_ -= taken;
-        std::memmove(memory_, memory_ + taken, fill_);
-    }
-
-    static constexpr std::size_t line = 64;
-    static constexpr std::size_t stage_bytes = 4096; // stays in the first cache beside the table
-    char* out_;
-    std::size_t fill_ = 0;
-    alignas(line) char memory_[stage_bytes + line]; // and the spill of the last point
-};
-
-template<typename Scalar, int Width, int Dimension>
-void refine_streamed(const CellWork<Scalar>* cells, std::size_t count, Scalar* out) {
-    constexpr std::size_t point_bytes = sizeof(Scalar) * Dimension;
-    Stage<Scalar> stage(out);
-    for (const CellWork<Scalar>* cell = cells; cell != cells + count; ++cell) {
-        const Scalar* weights = cell->weights;
-        std::size_t left = cell->rows;
-        while (left > 0) {
-            const std::size_t room = stage.room(point_bytes);
-            const std::size_t rows = left < room ? left : room;
-            combine<Scalar, Width, Dimension>(cell->parents, weights, rows, stage.next());
-            stage.advance(rows * point_bytes);
-            weights += rows * Width;
-            left -= rows;
-        }
-    }
-    stage.finish();
-}
-
 /// Straight to their place; the last point, which has nobody after it to write over its spill, by way of the stack.
 template<typename Scalar, int Width, int Dimension>
-void refine_cached(const CellWork<Scalar>* cells, std::size_t count, Scalar* out) {
+void refine_small(const CellWork<Scalar>* cells, std::size_t count, std::size_t, Scalar* out, Store) {
     const CellWork<Scalar>* const last = cells + count - 1;
     for (const CellWork<Scalar>* cell = cells; cell != last; ++cell) {
         combine<Scalar, Width, Dimension>(cell->parents, cell->weights, cell->rows, out);
@@ -173,14 +101,6 @@ void refine_cached(const CellWork<Scalar>* cells, std::size_t count, Scalar* out
     Scalar point[Dimension + padding_bytes / sizeof(Scalar)];
     combine<Scalar, Width, Dimension>(last->parents, last->weights + (last->rows - 1) * Width, 1, point);
     std::memcpy(out, point, sizeof(Scalar) * Dimension);
-}
-
-template<typename Scalar, int Width, int Dimension>
-void refine_small(const CellWork<Scalar>* cells, std::size_t count, std::size_t, Scalar* out, Store store) {
-    if (store == Store::Streamed)
-        refine_streamed<Scalar, Width, Dimension>(cells, count, out);
-    else
-        refine_cached<Scalar, Width, Dimension>(cells, count, out);
 }
 
 template<typename Scalar>

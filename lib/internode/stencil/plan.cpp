@@ -99,9 +99,11 @@ struct RefinementPlan::Start {
     std::vector<std::uint32_t> cells;
 
     static Start of(const IntervalSystem& system, int degree, const std::vector<CellState>& states,
-                    std::size_t state_limit) {
+                    const PlanOptions& options) {
+        const AutomatonRows rows = options.most_fused_steps == 1 ? AutomatonRows::Exact : AutomatonRows::None;
         Start start;
-        start.automaton = std::make_shared<const StencilAutomaton>(make_automaton(system, degree, states, state_limit));
+        start.automaton =
+            std::make_shared<const StencilAutomaton>(make_automaton(system, degree, states, options.state_limit, rows));
         start.cells.reserve(states.size());
         for (const CellState& state : states) start.cells.push_back(start.automaton->find(state));
         return start;
@@ -110,8 +112,7 @@ struct RefinementPlan::Start {
 
 RefinementPlan::RefinementPlan(const IntervalSystem& system, int degree, WordView word, Ends ends, int steps,
                                const PlanOptions& options)
-    : RefinementPlan(system, Start::of(system, degree, cell_states(word, degree, ends), options.state_limit), steps,
-                     options) {}
+    : RefinementPlan(system, Start::of(system, degree, cell_states(word, degree, ends), options), steps, options) {}
 
 RefinementPlan::RefinementPlan(const IntervalSystem& system, std::shared_ptr<const StencilAutomaton> automaton,
                                std::vector<std::uint32_t> cells, int steps, const PlanOptions& options)

@@ -21,7 +21,7 @@
 namespace internode {
 
 struct PlanOptions {
-    std::size_t table_bytes = 24 * 1024; ///< of the weights of a block: beside a stage, in a first cache of 32 KiB
+    std::size_t table_bytes = 24 * 1024; ///< of the weights of a block: with room to spare in a first cache of 32 KiB
     std::uint64_t points_per_row = 256;  ///< that a block writes for a row of its table to pay: what deriving one takes
     int most_fused_steps = 64;           ///< 1: step by step, with exact rows rounded once
     std::size_t state_limit = max_states;
@@ -51,6 +51,7 @@ public:
     [[nodiscard]] std::size_t output_size() const { return sizes_.back(); }
     /// How many steps each block does at once, first to last.
     [[nodiscard]] std::vector<int> blocks() const;
+    /// Without rows, unless single steps were asked for or it was given.
     [[nodiscard]] const StencilAutomaton& automaton() const { return *automaton_; }
     /// The state of each cell of the word.
     [[nodiscard]] const std::vector<std::uint32_t>& cells() const { return cells_; }
