@@ -89,7 +89,8 @@ TEST(GatherMatrix, MultipliesAndItsTransposeIsAdjoint) {
     Random random(2);
     for (const Shape shape : all_shapes) {
         const Curve curve = random_curve(random, random_system(random), 3, shape, 1 + random.below(5), 1);
-        const GatherMatrix matrix = Hierarchy(curve.knots(), 1).matrix(0);
+        const Hierarchy hierarchy(curve.knots(), 1);
+        const GatherMatrix matrix = hierarchy.matrix(0);
         const std::vector<double> coarse = random_points(random, matrix.columns);
         const std::vector<double> fine = random_points(random, matrix.rows.size());
         const std::vector<double> forwards = product(matrix, coarse, 1);
