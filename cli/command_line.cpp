@@ -282,6 +282,8 @@ void Reader::add_pyramid_commands() {
     auto* count =
         reverse->add_option_function<std::string>("--keep", keep, "Keep only this many of the longest details");
     count->type_name("N")->check(whole)->excludes(threshold);
+    reverse->add_flag("--unclamped", reverse_.unclamped,
+                      "Leave the ends of an open curve as they are (ill-conditioned) instead of clamping them");
     auto* resample = reverse->add_flag_callback(
         "--resample", [this] { reverse_.fit = FitOption::Resample; },
         "Bring the polygon to the nearest possible number of points, at equal steps of chord length");

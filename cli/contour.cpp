@@ -5,6 +5,7 @@
 #include "cli/exit_code.h"
 #include "cli/load.h"
 #include "cli/polygon.h"
+#include "internode/curve/clamping.h"
 #include "internode/curve/possible_size.h"
 #include "internode/curve/pyramid.h"
 #include "internode/curve/refinement.h"
@@ -139,6 +140,14 @@ void fit(LoadedContour& contour, const InputPolygon& polygon, const PossibleSize
     }
 }
 
+/// The same curve, well conditioned.
+void clamp(LoadedContour& contour) {
+    const Knots fine = refined_knots(contour.coarse, contour.levels);
+    contour.points = clamped_points(fine, contour.dimension, contour.points);
+    contour.coarse = clamped(contour.coarse);
+    contour.fitting.clamped = true;
+}
+
 InputPolygon read_contour(const PolygonOptions& options) {
     const LoadedText input = load_text(options.place);
     ParsedPolygon parsed = read_polygon(input.text, input.source);
@@ -190,6 +199,7 @@ LoadedContour load_contour(const IntervalSystem& system, const ReverseOptions& o
                           slash == std::string::npos ? polygon.source : polygon.source.substr(slash + 1)};
     fit(contour, polygon, size, options.fit);
     check_fine_word(contour, polygon);
+    if (coarse.ends == PolygonEnds::Open && !options.unclamped) clamp(contour);
     return contour;
 }
 

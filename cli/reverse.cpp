@@ -42,7 +42,7 @@ void write_coarse(Sink& sink, const std::string& format, const PyramidReport& re
 void say_what_was_done(const PyramidReport& report, bool table_is_shown, const Context& context) {
     const std::string warning = loose_ends_warning(report);
     if (!warning.empty()) say(context, "warning: " + warning + '\n');
-    if (!table_is_shown && report.fitting.fit != Fit::AsMeasured && !context.quiet)
+    if (!table_is_shown && (report.fitting.fit != Fit::AsMeasured || report.fitting.clamped) && !context.quiet)
         say(context, fmt::format("{}: {}\n", report.source, to_string(report.fitting)));
 }
 

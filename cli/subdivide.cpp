@@ -143,20 +143,24 @@ ExitCode run(const SubdivideOptions& options, const Context& context) {
     const RefinementSize size = planned(loaded.curve, options);
     const PictureAxes axes = chosen_axes(options.axes, loaded.space_dimension());
     Output output(options.output.file);
+    if (context.verbose) say(context, fmt::format("{} points from {}\n", size.points, loaded.curve.size()));
+    const int steps = static_cast<int>(options.steps);
+    const ApplyOptions apply{context.threads, context.isa};
+    if (format != "svg" && !options.limit) {
+        write_polygon(output.sink(), format, refine(loaded.curve, steps, apply), loaded, context);
+        output.commit();
+        return ExitCode::Success;
+    }
+    // The curve itself, by the states of its cells.
     Refinement refinement(loaded.curve);
-    refinement.advance(static_cast<int>(options.steps), {context.threads, context.isa});
-    if (context.verbose)
-        say(context, fmt::format("{} points from {} by {} stencils of {} states\n", size.points, loaded.curve.size(),
-                                 refinement.automaton().row_count(), refinement.automaton().state_count()));
+    refinement.advance(steps, apply);
     if (format == "svg")
         output.sink().write(curve_picture(planar_curve(loaded.curve, refinement, axes, loaded.coordinates),
                                           {picture_title(options, loaded), generator(context)}));
     else if (options.derivatives)
         write_limit_frames(output.sink(), format, refinement, column_names(loaded));
-    else if (options.limit)
-        write_limit(output.sink(), format, refinement, loaded.coordinates, column_names(loaded));
     else
-        write_polygon(output.sink(), format, refinement.curve(), loaded, context);
+        write_limit(output.sink(), format, refinement, loaded.coordinates, column_names(loaded));
     output.commit();
     return ExitCode::Success;
 }

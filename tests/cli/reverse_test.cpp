@@ -119,11 +119,18 @@ TEST_F(Reverse, WritesCoarsePolygonAndPicture) {
     EXPECT_EQ(here.run({"subdivide", "@fibonacci", "one.json", "-n", "1"}).code, 0);
 }
 
-TEST_F(Reverse, WarnsOfOpenEnds) {
-    const Outcome open =
-        run({"data/curves/signal.csv", "-d", "5", "-n", "4", "--word", "LS", "--repeat", "--resample"});
-    EXPECT_EQ(open.code, 0);
-    EXPECT_THAT(open.err, HasSubstr("G = "));
+TEST_F(Reverse, ClampsOpenEndsOrWarnsOfThem) {
+    const std::vector<std::string> open{
+        "data/curves/signal.csv", "-d", "5", "-n", "4", "--word", "LS", "--repeat", "--resample"};
+    const Outcome tamed = run(open);
+    EXPECT_EQ(tamed.code, 0);
+    EXPECT_THAT(tamed.out, HasSubstr("the ends of the curve clamped"));
+    EXPECT_EQ(tamed.err, "");
+    std::vector<std::string> as_they_are = open;
+    as_they_are.push_back("--unclamped");
+    const Outcome loose = run(as_they_are);
+    EXPECT_EQ(loose.code, 0);
+    EXPECT_THAT(loose.err, HasSubstr("G = "));
     const Outcome clamped =
         run({"data/curves/signal.csv", "-d", "5", "-n", "2", "--clamped", "--word", "LS", "--repeat", "--resample"});
     EXPECT_EQ(clamped.code, 0) << clamped.err;

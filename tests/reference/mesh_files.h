@@ -7,6 +7,7 @@
 
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <sstream>
@@ -16,6 +17,14 @@
 #include <vector>
 
 namespace internode::reference {
+
+/// The double of a whole word, in any locale.
+inline double decimal(std::string_view word) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size()) throw std::runtime_error("not a number");
+    return value;
+}
 
 struct MeshFile {
     std::vector<double> points;  ///< 3 a vertex
@@ -111,7 +120,7 @@ inline MeshFile read_obj(const std::string& text) {
         if (keyword == "#") mesh.header += line + '\n';
         if (keyword == "v" || keyword == "vn")
             for (std::string word; words >> word;)
-                (keyword == "v" ? mesh.points : mesh.normals).push_back(std::stod(word));
+                (keyword == "v" ? mesh.points : mesh.normals).push_back(decimal(word));
         if (keyword != "f") continue;
         mesh.faces.emplace_back();
         for (std::string corner; words >> corner;) {

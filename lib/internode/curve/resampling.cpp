@@ -76,13 +76,17 @@ std::vector<double> cut(std::span<const double> points, std::size_t dimension, s
 }
 
 std::string to_string(const Fitting& fitting) {
-    const std::string measured = std::to_string(fitting.measured) + (fitting.measured == 1 ? " point" : " points");
-    if (fitting.fit == Fit::AsMeasured) return measured + ", as measured";
-    if (fitting.fit == Fit::Cut)
-        return measured + ", the last " + std::to_string(fitting.measured - fitting.points) +
-               " cut off: " + std::to_string(fitting.points);
-    return measured + ", resampled to " + std::to_string(fitting.points) + " at equal steps of " +
-           (fitting.spacing == Spacing::Index ? "the index" : "chord length");
+    std::string text = std::to_string(fitting.measured) + (fitting.measured == 1 ? " point" : " points");
+    if (fitting.fit == Fit::AsMeasured)
+        text += ", as measured";
+    else if (fitting.fit == Fit::Cut)
+        text += ", the last " + std::to_string(fitting.measured - fitting.points) +
+                " cut off: " + std::to_string(fitting.points);
+    else
+        text += ", resampled to " + std::to_string(fitting.points) + " at equal steps of " +
+                (fitting.spacing == Spacing::Index ? "the index" : "chord length");
+    if (fitting.clamped) text += "; the ends of the curve clamped";
+    return text;
 }
 
 } // namespace internode

@@ -39,6 +39,7 @@ struct Fitting {
     std::size_t measured = 0; ///< points before
     std::size_t points = 0;   ///< points after
     Spacing spacing = Spacing::ChordLength;
+    bool clamped = false; ///< and the same curve with clamped ends took its place (curve/clamping.h)
 };
 
 /// "4821 points, resampled to 4816 at equal steps of chord length".

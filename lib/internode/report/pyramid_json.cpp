@@ -36,7 +36,7 @@ void write_fitting(JsonWriter& json, const Fitting& fitting) {
         json.string(fitting.spacing == Spacing::Index ? "index" : "chord-length");
     else
         json.null();
-    json.end_object();
+    json.key("clamped").boolean(fitting.clamped).end_object();
 }
 
 void write_method(JsonWriter& json, const ReverseOptions& options) {
