@@ -120,8 +120,8 @@ struct ReverseOptions {
     std::optional<std::uint64_t> keep;
     FitOption fit = FitOption::Refuse;
     bool unclamped = false; ///< open ends stay as they are
-    std::string coarse;  ///< a file for the coarse polygon; empty = none
-    std::string picture; ///< a file for the picture of all levels; empty = none
+    std::string coarse;     ///< a file for the coarse polygon; empty = none
+    std::string picture;    ///< a file for the picture of all levels; empty = none
 };
 
 struct ComposeOptions {
