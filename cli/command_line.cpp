@@ -9,6 +9,7 @@
 #include "cli/exit_code.h"
 #include "cli/grid.h"
 #include "cli/option_checks.h"
+#include "cli/places.h"
 #include "cli/public_command_line.h"
 #include "internode/curve/curve.h"
 #include "internode/grammar/diagnostic.h"
@@ -362,14 +363,6 @@ void Reader::refuse_leftovers(const CLI::App& app) const {
 /// More threads than this are as many.
 constexpr std::uint64_t max_threads = 1024;
 
-Isa isa_of_environment() {
-    const char* const wanted = std::getenv("INTERNODE_ISA");
-    if (wanted == nullptr || *wanted == '\0') return Isa::Best;
-    if (wanted == std::string_view("plain")) return Isa::Plain;
-    if (wanted == std::string_view("avx2")) return Isa::Avx2;
-    throw failure(ExitCode::Usage, "INTERNODE_ISA is neither `plain` nor `avx2`", "it changes the speed, no result");
-}
-
 CommandLine Reader::read(int argc, const char* const* argv) {
     try {
         app_.parse(argc, argv);
@@ -392,23 +385,6 @@ CommandLine Reader::read(int argc, const char* const* argv) {
     return {common_, HelpRequest{app_.help()}};
 }
 
-/// A grammar and a polygon both stand first on the line: with -e the one place given is the polygon's.
-template<typename Options>
-void settle_places(Options& options) {
-    if (options.grammar.expression && options.polygon.place.empty())
-        std::swap(options.grammar.place, options.polygon.place);
-    if (options.polygon.place.empty())
-        throw failure(ExitCode::Usage, "no control polygon", "give a CSV, JSON or OBJ file, or - for stdin");
-    if (options.polygon.place == "-" && options.grammar.place == "-")
-        throw failure(ExitCode::Usage, "grammar and polygon cannot both come from stdin");
-}
-
-void check_grammar(const GrammarSource& grammar) {
-    if (grammar.place.empty() == !grammar.expression.has_value())
-        throw failure(ExitCode::Usage, grammar.expression ? "a grammar file and -e exclude each other" : "no grammar",
-                      "give a file, @name (see `internode grammars`), - or -e 'L->SL, S->L'");
-}
-
 } // namespace
 
 CommandLine read_command_line(int argc, const char* const* argv) {
@@ -420,7 +396,7 @@ CommandLine read_command_line(int argc, const char* const* argv) {
                 settle_grid_options(options);
                 if (options.is_grid()) return;
             }
-            if constexpr (requires { options.polygon; }) settle_places(options);
+            if constexpr (requires { options.polygon; }) settle_places(options.grammar, options.polygon);
             if constexpr (requires { options.grammar; }) check_grammar(options.grammar);
         },
         line.request);

@@ -8,6 +8,10 @@
 namespace internode::cli {
 
 void write_curve(Sink& sink, const Curve& curve, const Context& context) {
+    write_curve(sink, curve, {curve.dimension(), curve.points()}, false, context);
+}
+
+void write_curve(Sink& sink, const Curve& curve, const PointsView& points, bool weighted, const Context& context) {
     CurveDocument document;
     document.version = generator(context).version;
     document.command = context.command_line;
@@ -16,7 +20,8 @@ void write_curve(Sink& sink, const Curve& curve, const Context& context) {
     document.symbols = curve.system().alphabet().names();
     document.word = curve.word();
     document.lengths = current_lengths(curve.knots());
-    document.points = {curve.dimension(), curve.points()};
+    document.points = points;
+    document.weighted = weighted;
     write_curve_json(sink, document);
 }
 

@@ -2,6 +2,7 @@
 
 #include "cli/option_checks.h"
 
+#include "cli/exit_code.h"
 #include "internode/curve/knots.h"
 #include "internode/io/number.h"
 
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
 
 namespace internode::cli {
 
@@ -43,6 +45,14 @@ std::string whole_number_problem(const std::string& text) {
 
 std::string empty_word_problem(const std::string& text) {
     return text.empty() ? "an empty word has no intervals" : std::string();
+}
+
+Isa isa_of_environment() {
+    const char* const wanted = std::getenv("INTERNODE_ISA");
+    if (wanted == nullptr || *wanted == '\0') return Isa::Best;
+    if (wanted == std::string_view("plain")) return Isa::Plain;
+    if (wanted == std::string_view("avx2")) return Isa::Avx2;
+    throw failure(ExitCode::Usage, "INTERNODE_ISA is neither `plain` nor `avx2`", "it changes the speed, no result");
 }
 
 } // namespace internode::cli

@@ -4,6 +4,8 @@
 
 #pragma once
 
+#include "internode/stencil/kernel.h"
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -21,5 +23,8 @@ namespace internode::cli {
 [[nodiscard]] std::string whole_number_problem(const std::string& text);
 [[nodiscard]] std::string positive_number(const std::string& text);
 [[nodiscard]] std::string empty_word_problem(const std::string& text);
+
+/// What INTERNODE_ISA in the environment asks for; Best when it says nothing. \throw Failure (Usage)
+[[nodiscard]] Isa isa_of_environment();
 
 } // namespace internode::cli

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "cli/commands.h"
-#include "cli/lengths.h"
+#include "cli/curve_output.h"
 #include "cli/limit_output.h"
 #include "cli/load.h"
 #include "cli/output.h"
@@ -66,20 +66,6 @@ bool has_weights(const LoadedCurve& loaded) {
     return loaded.coordinates == Coordinates::Homogeneous;
 }
 
-void write_json(Sink& sink, const Curve& curve, const PointsView& points, bool weighted, const Context& context) {
-    CurveDocument document;
-    document.version = generator(context).version;
-    document.command = context.command_line;
-    document.degree = static_cast<std::size_t>(curve.degree());
-    document.ends = curve.ends();
-    document.symbols = curve.system().alphabet().names();
-    document.word = curve.word();
-    document.lengths = current_lengths(curve.knots());
-    document.points = points;
-    document.weighted = weighted;
-    write_curve_json(sink, document);
-}
-
 /// A polygon in OBJ knows no weights; elsewhere they are the last column, or the key "weights".
 void write_polygon(Sink& sink, const std::string& format, const Curve& curve, const LoadedCurve& loaded,
                    const Context& context) {
@@ -99,7 +85,7 @@ void write_polygon(Sink& sink, const std::string& format, const Curve& curve, co
         write_obj(sink, points, curve.ends(),
                   std::vector<std::string>{"internode " + generator(context).version, context.command_line});
     else
-        write_json(sink, curve, points, weighted, context);
+        write_curve(sink, curve, points, weighted, context);
 }
 
 void check_format(const SubdivideOptions& options, const std::string& format, const LoadedCurve& loaded) {
