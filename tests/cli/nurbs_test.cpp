@@ -216,7 +216,7 @@ TEST_F(Nurbs, TheTorusStaysATorus) {
 }
 
 TEST_F(Nurbs, RefusesGridsWhoseKnotsDoNotFit) {
-    const auto grid = [this](const std::string& file, const std::vector<std::string>& more) {
+    const auto grid = [](const std::string& file, const std::vector<std::string>& more) {
         std::vector<std::string> line{"--u", "@bisection", "--v", "@bisection", file, "-n", "1"};
         line.insert(line.end(), more.begin(), more.end());
         return line;
