@@ -26,7 +26,7 @@ using reference::separably_refined;
 using reference::Shape;
 
 #ifdef INTERNODE_SANITIZED
-constexpr std::size_t pair_stride = 997;
+constexpr std::size_t pair_stride = 211;
 constexpr std::size_t mix_stride = 11;
 #else
 constexpr std::size_t pair_stride = 17;
