@@ -13,7 +13,7 @@ namespace {
 /// Wide points of larger outputs, rows of a grid, go past the caches: their many stretches would evict the parents.
 /// Narrow points come in one stretch, which ordinary stores write faster (bench/: fresh and reused, 10 and 24 M
 /// points).
-constexpr std::size_t streamed_bytes = std::size_t{1} << 26;
+constexpr std::size_t streamed_bytes = std::size_t{1} << 24;
 constexpr std::size_t narrow = 4;
 /// Cells that are handed to the kernel at once: their descriptions stay in the first cache.
 constexpr std::size_t batch = 128;

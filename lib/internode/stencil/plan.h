@@ -28,9 +28,9 @@ struct PlanOptions {
 };
 
 struct ApplyOptions {
-    int threads = 1;           ///< 0: as many as the machine has
-    Isa isa = Isa::Best;       ///< never changes the result
-    std::size_t grain = 65536; ///< coordinates that a task writes, about
+    int threads = 1;            ///< 0: as many as the machine has
+    Isa isa = Isa::Best;        ///< never changes the result
+    std::size_t grain = 524288; ///< coordinates that a task writes, about: less is not worth a thread
 };
 
 class RefinementPlan {
