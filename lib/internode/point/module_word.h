@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+//
+// A word of modules with their parameters, in doubles: A(4) A(3.5) P((0, 1), 2).
+//
+// Letters and values stand apart, each in one array: the values of a module are its parameters in their order, a
+// number as one double and a point as its coordinates (the layout of the letter says which, point/point_system.h).
+
+#pragma once
+
+#include "internode/point/point_system.h"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace internode {
+
+class ModuleWord {
+public:
+    [[nodiscard]] std::size_t size() const { return letters_.size(); }
+    [[nodiscard]] bool empty() const { return letters_.empty(); }
+    [[nodiscard]] Symbol letter(std::size_t i) const { return letters_[i]; }
+    [[nodiscard]] std::span<const Symbol> letters() const { return letters_; }
+    /// All values of module i.
+    [[nodiscard]] std::span<const double> values(std::size_t i) const {
+        return {values_.data() + first_[i], (i + 1 < first_.size() ? first_[i + 1] : values_.size()) - first_[i]};
+    }
+    [[nodiscard]] std::span<double> values(std::size_t i) {
+        return {values_.data() + first_[i], (i + 1 < first_.size() ? first_[i + 1] : values_.size()) - first_[i]};
+    }
+    void push_back(Symbol letter, std::span<const double> values);
+    void reserve(std::size_t modules, std::size_t values);
+    friend bool operator==(const ModuleWord&, const ModuleWord&) = default;
+
+private:
+    std::vector<Symbol> letters_;
+    std::vector<std::size_t> first_; ///< of each module's values
+    std::vector<double> values_;
+};
+
+/// As S0 eq. 12 prints a word: `A(4) A(3.5) A(7.5) B(10) C(1)`, points in parentheses, numbers by shortest round trip.
+[[nodiscard]] std::string to_string(const ModuleWord& word, const PointGrammar& grammar, const Layout& layout);
+
+/// The word of the grammar's axiom. \throw std::invalid_argument when it has none
+[[nodiscard]] ModuleWord axiom_word(const PointSystem& system);
+
+/// The word that the grammar's input makes of a polygon: rows of system.dimension() coordinates.
+/// \throw std::invalid_argument for no point or another dimension
+[[nodiscard]] ModuleWord input_word(const PointSystem& system, std::span<const double> points);
+
+/// The drawing of a word: the modules with exactly one point are joined along their axes (a branch starts at the point
+/// before it, a ring is closed); a module with two points is a line of its own.
+struct PointStrands {
+    std::size_t dimension = 0;  ///< of all points; 0 when there is none
+    std::vector<double> points; ///< of the modules with exactly one point, in the order of the word
+    struct Strand {
+        std::vector<std::size_t> points; ///< indices of points, at least one
+        bool closed = false;
+    };
+    std::vector<Strand> strands;
+    std::vector<double> lines; ///< pairs of points
+    [[nodiscard]] std::size_t size() const { return dimension == 0 ? 0 : points.size() / dimension; }
+};
+
+/// `passes`: after how many interpretation passes the word is. Points of several dimensions in one word: those of the
+/// first are kept.
+[[nodiscard]] PointStrands strands(const ModuleWord& word, const PointSystem& system, std::size_t passes);
+
+} // namespace internode
