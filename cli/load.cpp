@@ -22,12 +22,6 @@ LoadedText bundled_text(const std::string& place) {
                   meant.empty() ? "`internode grammars` lists them" : fmt::format("did you mean `@{}`?", meant));
 }
 
-LoadedText grammar_text(const GrammarSource& source) {
-    if (source.expression) return {*source.expression, "<expression>"};
-    if (source.place.rfind('@', 0) == 0) return bundled_text(source.place);
-    return load_text(source.place);
-}
-
 ExitCode exit_code(FileError::Kind kind) {
     switch (kind) {
     case FileError::Kind::TooLarge:
@@ -51,15 +45,32 @@ LoadedText load_text(const std::string& place) {
     throw Failure(exit_code(error.kind), fmt::format("{}: error: {}\n", where, error.message));
 }
 
-IntervalGrammar load_grammar(const GrammarSource& source) {
-    const LoadedText input = grammar_text(source);
+LoadedText load_grammar_text(const GrammarSource& source) {
+    if (source.expression) return {*source.expression, "<expression>"};
+    if (source.place.rfind('@', 0) == 0) return bundled_text(source.place);
+    return load_text(source.place);
+}
+
+namespace {
+
+IntervalGrammar parsed_grammar(const LoadedText& input) {
     ParsedGrammar parsed = parse_grammar(input.text, input.source);
     if (!parsed.grammar) throw Failure(ExitCode::Refused, to_string(parsed.errors));
     return *std::move(parsed.grammar);
 }
 
+} // namespace
+
+IntervalGrammar load_grammar(const GrammarSource& source) {
+    return parsed_grammar(load_grammar_text(source));
+}
+
 IntervalSystem load_system(const GrammarSource& source) {
-    const IntervalGrammar grammar = load_grammar(source);
+    return load_system(load_grammar_text(source), source);
+}
+
+IntervalSystem load_system(const LoadedText& input, const GrammarSource& source) {
+    const IntervalGrammar grammar = parsed_grammar(input);
     const Verdict verdict = validate(grammar);
     if (verdict.system) return *verdict.system;
     const std::string name = printable(display_name(grammar, source));
@@ -81,7 +92,11 @@ ParsedWord load_word(const std::string& text, const Alphabet& alphabet) {
 }
 
 std::string display_name(const IntervalGrammar& grammar, const GrammarSource& source) {
-    if (!grammar.name.empty()) return grammar.name;
+    return display_name(grammar.name, source);
+}
+
+std::string display_name(const std::string& name, const GrammarSource& source) {
+    if (!name.empty()) return name;
     if (source.expression) return "<expression>";
     const auto slash = source.place.find_last_of('/');
     return slash == std::string::npos ? source.place : source.place.substr(slash + 1);

@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace internode::cli {
 
@@ -81,6 +82,18 @@ struct GridSideOptions {
     std::string word; ///< empty = the JSON's, or the axiom
 };
 
+/// What only a point grammar has.
+struct PointOptions {
+    std::vector<std::string> settings; ///< --set NAME=VALUE
+    std::vector<std::string> queries;  ///< --query NAME=V,V
+    std::optional<std::uint64_t> phase;
+    std::optional<std::uint64_t> seed;
+    std::optional<std::uint64_t> max_modules;
+    bool trace = false;       ///< the word after every step, as text
+    bool tree = false;        ///< the derivation tree, as SVG
+    bool interpreter = false; ///< never the compiled automaton
+};
+
 /// A curve, or with --u and --v a grid: `polygon` then says its file, repetition and limit alone.
 struct SubdivideOptions {
     GrammarSource grammar;
@@ -93,6 +106,7 @@ struct SubdivideOptions {
     std::string axes;                     ///< "1,2" of --axes; empty = the first two
     std::array<GridSideOptions, 2> sides; ///< u and v
     bool normals = false;                 ///< with --limit, of a grid
+    PointOptions point;
 
     [[nodiscard]] bool is_grid() const { return !sides[0].grammar.empty() || !sides[1].grammar.empty(); }
 };

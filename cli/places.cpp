@@ -10,10 +10,13 @@ namespace internode::cli {
 
 void settle_places(GrammarSource& grammar, PolygonOptions& polygon) {
     if (grammar.expression && polygon.place.empty()) std::swap(grammar.place, polygon.place);
-    if (polygon.place.empty())
-        throw failure(ExitCode::Usage, "no control polygon", "give a CSV, JSON or OBJ file, or - for stdin");
     if (polygon.place == "-" && grammar.place == "-")
         throw failure(ExitCode::Usage, "grammar and polygon cannot both come from stdin");
+}
+
+void require_polygon(const PolygonOptions& polygon) {
+    if (polygon.place.empty())
+        throw failure(ExitCode::Usage, "no control polygon", "give a CSV, JSON or OBJ file, or - for stdin");
 }
 
 void check_grammar(const GrammarSource& grammar) {

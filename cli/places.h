@@ -9,8 +9,11 @@
 namespace internode::cli {
 
 /// A grammar and a polygon both stand first on the line: with -e the one place given is the polygon's.
-/// \throw Failure (Usage) without a polygon, or when both come from stdin
+/// \throw Failure (Usage) when both come from stdin
 void settle_places(GrammarSource& grammar, PolygonOptions& polygon);
+
+/// \throw Failure (Usage) without a polygon
+void require_polygon(const PolygonOptions& polygon);
 
 /// \throw Failure (Usage) unless there is one grammar, by place or as a text
 void check_grammar(const GrammarSource& grammar);

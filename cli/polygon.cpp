@@ -136,17 +136,6 @@ Word fitted_word(const SaidWord& said, const PolygonOptions& options, EndsOption
     return ends == EndsOption::Clamped ? clamped(word, degree) : word;
 }
 
-void refuse_repeated_point(const InputPolygon& polygon) {
-    const std::size_t n = polygon.size();
-    if (n < 2) return;
-    const auto first = polygon.points.begin();
-    const auto last = first + static_cast<std::ptrdiff_t>((n - 1) * polygon.dimension);
-    if (std::equal(last, polygon.points.end(), first))
-        throw failure(ExitCode::Refused,
-                      fmt::format("the last of the {} points of {} repeats the first", n, polygon.source),
-                      "a closed polygon joins them by itself: drop the last point");
-}
-
 /// What knots, or a word and lengths, come to.
 struct Labels {
     IntervalSystem system;
@@ -200,16 +189,32 @@ void take_weights(InputPolygon& polygon) {
                                   polygon.source, polygon.weights[*bad], smallest_weight, largest_weight));
 }
 
+} // namespace
+
+void refuse_repeated_point(const InputPolygon& polygon) {
+    const std::size_t n = polygon.size();
+    if (n < 2) return;
+    const auto first = polygon.points.begin();
+    const auto last = first + static_cast<std::ptrdiff_t>((n - 1) * polygon.dimension);
+    if (std::equal(last, polygon.points.end(), first))
+        throw failure(ExitCode::Refused,
+                      fmt::format("the last of the {} points of {} repeats the first", n, polygon.source),
+                      "a closed polygon joins them by itself: drop the last point");
+}
+
 std::string base_name(const std::string& source) {
     const auto slash = source.find_last_of('/');
     return slash == std::string::npos ? source : source.substr(slash + 1);
 }
 
-} // namespace
-
-LoadedCurve load_curve(const IntervalSystem& system, const PolygonOptions& options) {
+InputPolygon load_polygon(const PolygonOptions& options) {
     InputPolygon polygon = read_polygon_file(options);
     if (options.rational) take_weights(polygon);
+    return polygon;
+}
+
+LoadedCurve load_curve(const IntervalSystem& system, const PolygonOptions& options) {
+    InputPolygon polygon = load_polygon(options);
     const int degree = settled_degree(options, polygon);
     const IntervalSystem scaled = fixed_lengths(system, polygon);
     Labels labels = polygon.knots ? labels_of_knots(scaled, options, polygon, degree)

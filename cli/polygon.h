@@ -11,6 +11,7 @@
 #include "cli/options.h"
 #include "internode/curve/curve.h"
 #include "internode/curve/homogeneous.h"
+#include "internode/io/polygon.h"
 
 #include <string>
 #include <vector>
@@ -28,6 +29,15 @@ struct LoadedCurve {
         return curve.dimension() - (coordinates == Coordinates::Homogeneous ? 1 : 0);
     }
 };
+
+/// The polygon of a file alone, with the weights that --rational finds in it. \throw Failure: File, Refused
+[[nodiscard]] InputPolygon load_polygon(const PolygonOptions& options);
+
+/// \throw Failure (Refused) for a closed polygon whose last point is the first again
+void refuse_repeated_point(const InputPolygon& polygon);
+
+/// The file's name without its folder.
+[[nodiscard]] std::string base_name(const std::string& source);
 
 /// Points with weights become homogeneous. \throw Failure: File, Refused with what does not fit, Usage for a degree
 /// that is missing

@@ -5,6 +5,9 @@
 #include "cli/limit_output.h"
 #include "cli/load.h"
 #include "cli/output.h"
+#include "cli/picture_axes.h"
+#include "cli/places.h"
+#include "cli/point_options.h"
 #include "cli/polygon.h"
 #include "internode/curve/refinement.h"
 #include "internode/io/csv.h"
@@ -15,8 +18,6 @@
 #include "internode/report/curve_picture.h"
 
 #include <fmt/format.h>
-
-#include <charconv>
 
 namespace internode::cli {
 namespace {
@@ -39,23 +40,6 @@ void print_plan(const LoadedCurve& loaded, const SubdivideOptions& options) {
     write_output("-", fmt::format("points {}\nbytes of points {}\nbytes of memory {}\nstates {}\nrows {}\n",
                                   size.points, points, size.bytes + divided, refinement.automaton().state_count(),
                                   refinement.automaton().row_count()));
-}
-
-/// "1,3" as two different coordinates counted from 0. \throw Failure
-PictureAxes chosen_axes(const std::string& text, std::size_t dimension) {
-    PictureAxes axes;
-    axes.up = dimension > 1 ? 1 : 0;
-    if (text.empty()) return axes;
-    std::size_t pair[2] = {0, 0};
-    const char* const end = text.data() + text.size();
-    const auto first = std::from_chars(text.data(), end, pair[0]);
-    const bool comma = first.ec == std::errc() && first.ptr != end && *first.ptr == ',';
-    const auto second = comma ? std::from_chars(first.ptr + 1, end, pair[1]) : first;
-    const bool whole = comma && second.ec == std::errc() && second.ptr == end;
-    if (!whole || pair[0] < 1 || pair[1] < 1 || pair[0] > dimension || pair[1] > dimension || pair[0] == pair[1])
-        throw failure(ExitCode::Usage,
-                      fmt::format("--axes wants two different coordinates between 1 and {}, like 1,2", dimension));
-    return {pair[0] - 1, pair[1] - 1};
 }
 
 std::vector<std::string> column_names(const LoadedCurve& loaded) {
@@ -117,8 +101,11 @@ std::string picture_title(const SubdivideOptions& options, const LoadedCurve& lo
 
 ExitCode run(const SubdivideOptions& options, const Context& context) {
     if (options.is_grid()) return subdivide_grid(options, context);
+    const LoadedText grammar = load_grammar_text(options.grammar);
+    refuse_point_options(options.point);
+    require_polygon(options.polygon);
     const std::string format = chosen_format(options.output, {"csv", "json", "npy", "obj", "svg"}, "csv");
-    const IntervalSystem system = load_system(options.grammar);
+    const IntervalSystem system = load_system(grammar, options.grammar);
     const LoadedCurve loaded = load_curve(system, options.polygon);
     if (options.plan) {
         if (options.output.file != "-") throw failure(ExitCode::Usage, "--plan writes no file: leave -o out");
