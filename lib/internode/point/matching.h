@@ -12,13 +12,15 @@
 #include "internode/grammar/point_grammar.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace internode {
 
-/// The letters of a word with the partners of its brackets, made once per word. Cost: linear.
+/// The letters of a word and, where it has brackets, the neighbours of each on its axis; made once per word. Cost:
+/// linear.
 class WordShape {
 public:
     /// `letters` must outlive the shape. An unbalanced bracket is read as a module that is never stepped over.
@@ -26,21 +28,25 @@ public:
 
     [[nodiscard]] std::size_t size() const { return letters_.size(); }
     [[nodiscard]] Symbol letter(std::size_t i) const { return letters_[i]; }
-    /// The module before i, or after it, on its axis, as contexts see it; none at the end of the axis.
+    /// The module before i, or after it, on its axis, as contexts see it; none at the end of the axis. Cost: constant.
     [[nodiscard]] std::optional<std::size_t> before(std::size_t i) const;
     [[nodiscard]] std::optional<std::size_t> after(std::size_t i) const;
 
     /// Whether the rule fits with its strict predecessor at i, i+1, … (which never goes round the end of the word, nor
     /// over a bracket). If so, `modules` holds the positions of all modules of left, predecessor and right, in the
-    /// order of the rule's formals. Cost: linear in the rule.
-    [[nodiscard]] bool fits(const PointRule& rule, std::size_t i, std::vector<std::size_t>& modules) const;
+    /// order of the rule's formals. Cost: the letters compared, at most those of the rule; they are added to
+    /// `compared`.
+    [[nodiscard]] bool fits(const PointRule& rule, std::size_t i, std::vector<std::size_t>& modules,
+                            std::uint64_t* compared = nullptr) const;
 
 private:
+    bool fits_left(const PointRule& rule, std::size_t i, std::vector<std::size_t>& modules) const;
+    bool fits_right(const PointRule& rule, std::size_t i, std::vector<std::size_t>& modules) const;
+
     std::span<const Symbol> letters_;
     bool ring_ = false;
-    std::optional<Symbol> open_;
-    std::optional<Symbol> close_;
-    std::vector<std::size_t> partner_; ///< of brackets; empty when the word has none
+    std::vector<std::size_t> before_; ///< empty when the word has no brackets
+    std::vector<std::size_t> after_;
 };
 
 } // namespace internode

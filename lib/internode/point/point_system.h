@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -28,14 +29,19 @@ using Extent = std::uint32_t;
 /// The parameters of each letter: none where no word has the letter.
 using Layout = std::vector<std::optional<std::vector<Extent>>>;
 
+/// Where the words come from. `Any`: the axiom and the input, where the grammar has them; with neither, or with
+/// `Input`, points become `P(v)`.
+enum class PointStart : std::uint8_t { Any, Axiom, Input };
+
 struct PointSettings {
-    std::size_t dimension = 2;                 ///< coordinates of the points of the input
-    std::map<std::string, Rational> constants; ///< values of constants, instead of the grammar's
+    std::size_t dimension = 2;                   ///< coordinates of the points of the input, 1 … 64
+    std::map<std::string, Rational> constants{}; ///< values of constants, instead of the grammar's
+    PointStart start = PointStart::Any;
 };
 
 struct ConstantValue {
     double value = 0;              ///< finite; the nearest double where `exact` is present
-    std::optional<Rational> exact; ///< none where a square root came in
+    std::optional<Rational> exact; ///< none where a root or a number of thousands of digits came in (known_number.h)
 };
 
 /// A fact about the grammar that a user has to mend.
@@ -44,6 +50,8 @@ struct PointProblem {
     std::string message;
     std::string hint; ///< may be empty
 };
+
+struct PointPrograms;
 
 class PointSystem {
 public:
@@ -59,17 +67,23 @@ public:
     [[nodiscard]] std::span<const std::uint32_t> rules_of(std::optional<std::uint32_t> table) const {
         return rules_of_[table ? *table : 0];
     }
-    /// Whether a strict predecessor of several modules begins with this letter, in a step of that table.
+    /// Whether a rule of that table has a strict predecessor of several modules.
     [[nodiscard]] bool is_pseudo(std::optional<std::uint32_t> table) const;
+    /// What a derivation runs (point/rule_programs.h).
+    [[nodiscard]] const PointPrograms& programs() const { return *programs_; }
+    /// Where the words come from, as the settings said.
+    [[nodiscard]] PointStart start() const { return start_; }
 
 private:
     friend class PointSystemMaker;
     PointGrammar grammar_;
     std::size_t dimension_ = 2;
+    PointStart start_ = PointStart::Any;
     std::vector<ConstantValue> constants_; ///< one per definition; meaningful for constants
     std::vector<Layout> layouts_;          ///< 1 + passes
     std::vector<std::optional<std::uint32_t>> cycle_;
     std::vector<std::vector<std::uint32_t>> rules_of_; ///< per table; one entry without tables
+    std::shared_ptr<const PointPrograms> programs_;
 };
 
 struct CheckedPointSystem {
@@ -77,7 +91,8 @@ struct CheckedPointSystem {
     std::vector<PointProblem> problems;
 };
 
-/// Limits: at most 100,000 derivation steps in a cycle; dimension 1 … 64.
+/// Rules that no word can reach are not checked: their letters have no layout. Limits: at most 100,000 derivation steps
+/// in a cycle; points of at most 64 coordinates; functions that explode when their calls are written out.
 [[nodiscard]] CheckedPointSystem make_point_system(PointGrammar grammar, const PointSettings& settings = {});
 
 } // namespace internode

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+//
+// What an expression is, a number, a point or a truth, when it is known what its formals are.
+
+#pragma once
+
+#include "internode/point/point_system.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace internode {
+
+struct Kind {
+    bool truth = false;
+    Extent extent = 0; ///< of a number or a point
+    friend bool operator==(const Kind&, const Kind&) = default;
+};
+
+/// The most coordinates that a point may have.
+inline constexpr std::size_t max_dimension = 64;
+
+/// "a number", "a point of 2 coordinates", "a truth".
+[[nodiscard]] std::string describe(Kind kind);
+
+/// Names and extents of the formals of a rule, a definition or an input; equally many.
+struct Formals {
+    std::span<const std::string> names;
+    std::span<const Extent> extents;
+};
+
+/// The kind of an expression; none, and one more problem, when its operands do not fit. Cost: linear.
+[[nodiscard]] std::optional<Kind> kind_of(const Expression& expression, const Formals& formals,
+                                          const PointGrammar& grammar, std::vector<PointProblem>& problems);
+
+/// The same where only one kind will do: a number, or a truth. `what`: "the condition", "the weight".
+bool expect_kind(Kind expected, const std::string& what, const Expression& expression, const Formals& formals,
+                 const PointGrammar& grammar, std::vector<PointProblem>& problems);
+
+} // namespace internode
