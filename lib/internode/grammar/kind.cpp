@@ -19,9 +19,15 @@ const std::vector<std::string>& kinds() {
     return names;
 }
 
-constexpr std::string_view kind_hint = "begin with `intervals NAME`, then one rule a line: `L -> S L`";
+constexpr std::string_view points = "points";
 
-std::string read_name(std::span<const Token> tokens, std::string_view text, Complaints& complaints) {
+constexpr std::string_view kind_hint = "begin with `intervals NAME`, then one rule a line: `L -> S L`";
+constexpr std::string_view points_hint = "begin with `points NAME`, then one rule a line: `P(v) -> P(v) P(v)`";
+
+/// The name in a statement `intervals NAME`.
+std::string read_name(const Statement& statement, std::string_view text, Complaints& complaints) {
+    const std::string_view kind = text_of(statement.tokens.front(), text);
+    const std::span<const Token> tokens = statement.tokens.subspan(1);
     const auto is_broken = [](const Token& token) { return token.kind == TokenKind::Broken; };
     if (tokens.empty() || std::ranges::any_of(tokens, is_broken)) return {};
     const Token& token = tokens.front();
@@ -32,7 +38,7 @@ std::string read_name(std::span<const Token> tokens, std::string_view text, Comp
         complaints.add(place_of(token), "an escape that is not `\\\"`, `\\\\` or `\\u{...}` of a printable character");
     } else if (!name || (tokens.size() > 1 && token.begin + token.bytes == tokens[1].begin)) {
         complaints.add(place_of(tokens), "a name is a letter, then letters, digits, `_` or `'`",
-                       "any other name stands in quotes: `intervals \"my-grammar\"`");
+                       fmt::format("any other name stands in quotes: `{} \"my-grammar\"`", kind));
     } else if (name->size() > max_name_bytes) {
         complaints.add(place_of(token), fmt::format("a name of {} bytes, more than {}", name->size(), max_name_bytes));
     } else if (tokens.size() > 1) {
@@ -87,14 +93,43 @@ Kind read_kind(const Statements& split, std::string_view text, Complaints& compl
     const std::string_view word = text_of(head, text);
     if (word == kinds().front()) {
         kind.first = 1;
-        kind.name = read_name(statement.tokens.subspan(1), text, complaints);
+        kind.name = read_name(statement, text, complaints);
     } else if (is_kind(word)) {
         complaints.add(place_of(head),
-                       fmt::format("a grammar of kind `{}`: this version reads interval grammars only", word),
+                       word == points ? "a point grammar where an interval grammar is wanted"
+                                      : fmt::format("a grammar of kind `{}`: this version reads `intervals` and "
+                                                    "`points` only",
+                                                    word),
                        std::string(kind_hint));
         kind.readable = false;
     } else {
         kind = refuse_first(split, text, complaints);
+    }
+    return kind;
+}
+
+Kind read_points_kind(const Statements& split, std::string_view text, Complaints& complaints) {
+    Kind kind;
+    if (split.statements.empty()) {
+        if (complaints.empty()) complaints.add({0, 0}, "the text has no statement", std::string(points_hint));
+        kind.readable = false;
+        return kind;
+    }
+    const Statement& statement = split.statements.front();
+    const Token& head = statement.tokens.front();
+    const std::string_view word = text_of(head, text);
+    if (word == points && !statement.arrow) {
+        kind.first = 1;
+        kind.name = read_name(statement, text, complaints);
+    } else if (word == points) {
+        kind.first = 1;
+        complaints.add(place_of(head), "the kind of the grammar stands on a line of its own", std::string(points_hint));
+    } else if (is_kind(word)) {
+        complaints.add(place_of(head), fmt::format("a grammar of kind `{}` where a point grammar is wanted", word),
+                       std::string(points_hint));
+        kind.readable = false;
+    } else if (head.kind != TokenKind::Broken) {
+        complaints.add(place_of(head), "the first statement must be `points`", std::string(points_hint));
     }
     return kind;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The first statement of a grammar: `intervals NAME`. A text whose first statement has an arrow is `intervals`.
+// The first statement of a grammar: `intervals NAME` or `points NAME`. A text whose first statement has an arrow is
+// `intervals`.
 
 #pragma once
 
@@ -16,10 +17,14 @@ namespace internode {
 struct Kind {
     std::string name;      ///< of the grammar; may be empty
     std::size_t first = 0; ///< index of the first statement after it
-    bool readable = true;  ///< whether the rest is worth reading as an interval grammar
+    bool readable = true;  ///< whether the rest is worth reading as a grammar of the wanted kind
 };
 
+/// Of a text that is read as an interval grammar.
 [[nodiscard]] Kind read_kind(const Statements& split, std::string_view text, Complaints& complaints);
+
+/// Of a text that is read as a point grammar.
+[[nodiscard]] Kind read_points_kind(const Statements& split, std::string_view text, Complaints& complaints);
 
 /// intervals, points, patches, mesh.
 [[nodiscard]] bool is_kind(std::string_view word);

@@ -5,6 +5,7 @@
 
 #include "internode/grammar/parse.h"
 
+#include "internode/grammar/byte_check.h"
 #include "internode/grammar/complaints.h"
 #include "internode/grammar/kind.h"
 #include "internode/grammar/left_side.h"
@@ -29,26 +30,6 @@ constexpr std::string_view statement_hint = "a statement is a rule `L -> S L`, `
 const std::vector<std::string>& keywords() {
     static const std::vector<std::string> names{"axiom", "length", "ring"};
     return names;
-}
-
-/// Complains of what no statement sees: bytes that are no text, and lines that are too long.
-void check_bytes(std::string_view text, const std::vector<Token>& tokens, Complaints& complaints) {
-    for (const Token& token : tokens) {
-        if (token.kind != TokenKind::Broken) continue;
-        const unsigned byte = static_cast<unsigned char>(text[token.begin]);
-        if (byte >= 0x80)
-            complaints.add(place_of(token), fmt::format("the byte \\x{:02X} is not UTF-8", byte),
-                           "save the text as UTF-8");
-        else
-            complaints.add(place_of(token), fmt::format("the control character \\x{:02X}", byte),
-                           "a grammar is plain text");
-    }
-    for (std::size_t start = 0; start < text.size();) {
-        const std::size_t end = std::min(text.find_first_of("\r\n", start), text.size());
-        if (end - start > max_line_bytes)
-            complaints.add({start, 1}, fmt::format("a line of {} bytes, more than {}", end - start, max_line_bytes));
-        start = end + 1;
-    }
 }
 
 /// Reads the statements after the kind.

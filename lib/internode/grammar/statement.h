@@ -3,8 +3,10 @@
 // The second step of reading: from tokens to statements. A statement ends at a newline, `,` or `;` outside
 // parentheses; a newline inside them or after `->`, `:`, `<`, `>`, `+`, `-`, `*`, `/` continues it.
 //
-// A parenthesis without its partner is made TokenKind::Unbalanced and does not swallow what follows: no partner is
-// looked for beyond an arrow, because no word contains one.
+// In a point grammar `[ ]` are brackets too, and `|` continues a statement.
+//
+// A bracket without its partner is made TokenKind::Unbalanced and does not swallow what follows: no partner is looked
+// for beyond an arrow, because no word contains one.
 
 #pragma once
 
@@ -28,10 +30,16 @@ struct Statements {
     std::vector<Statement> statements;
 };
 
-/// Cost: linear in the tokens.
-[[nodiscard]] Statements split_statements(std::vector<Token> tokens, std::string_view text);
+enum class Brackets {
+    Round,          ///< `( )`: words of intervals
+    RoundAndSquare, ///< `[ ]` as well: branches of point grammars
+};
 
-/// Makes each parenthesis without its partner TokenKind::Unbalanced.
-void mark_unbalanced(std::vector<Token>& tokens, std::string_view text);
+/// Cost: linear in the tokens.
+[[nodiscard]] Statements split_statements(std::vector<Token> tokens, std::string_view text,
+                                          Brackets brackets = Brackets::Round);
+
+/// Makes each bracket without its partner TokenKind::Unbalanced. Of `( [ )` the square one has none.
+void mark_unbalanced(std::vector<Token>& tokens, std::string_view text, Brackets brackets = Brackets::Round);
 
 } // namespace internode

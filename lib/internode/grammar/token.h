@@ -22,7 +22,7 @@ enum class TokenKind : std::uint8_t {
     Foreign,    ///< any other character
     Newline,    ///< LF, CR LF or CR
     Broken,     ///< bytes that are not UTF-8, or control characters
-    Unbalanced, ///< `(` or `)` without its partner (never from tokenize)
+    Unbalanced, ///< a bracket without its partner (never from tokenize)
 };
 
 struct Token {
