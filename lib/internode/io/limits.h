@@ -20,10 +20,12 @@ inline constexpr std::uint64_t max_obj_vertices = 40'000'000;           ///< of 
 inline constexpr std::uint64_t max_dimension = 64;                      ///< coordinates of a point
 inline constexpr std::uint64_t max_input_degree = 1'000'000;            ///< so that points + degree never wraps
 inline constexpr std::uint64_t max_filter_window = 64;                  ///< intervals of a pyramid's local filters
+inline constexpr std::uint64_t max_matrix_side = 1'000'000;             ///< rows, and columns, of a matrix file
+inline constexpr std::uint64_t max_matrix_entries = 2'000'000;          ///< fractions, of 100 bytes and more each
 inline constexpr std::uint64_t max_polygon_errors = 100;                ///< a table is given up after so many errors
 inline constexpr std::uint64_t max_shown_line_bytes = 4096;             ///< longer source lines are not quoted
 
-inline constexpr std::array<Limit, 10> input_limits{{
+inline constexpr std::array<Limit, 12> input_limits{{
     {"input file", max_file_bytes, "bytes"},
     {"JSON depth", max_json_depth, "open brackets"},
     {"JSON values", max_json_values, "values"},
@@ -32,6 +34,8 @@ inline constexpr std::array<Limit, 10> input_limits{{
     {"polygon dimension", max_dimension, "coordinates"},
     {"polygon degree as read", max_input_degree, ""},
     {"window of a local filter", max_filter_window, "intervals"},
+    {"rows, and columns, of a matrix file", max_matrix_side, ""},
+    {"entries of a matrix file, zeros of CSV not counted", max_matrix_entries, "entries"},
     {"polygon errors", max_polygon_errors, "errors"},
     {"source line shown", max_shown_line_bytes, "bytes"},
 }};
