@@ -13,8 +13,8 @@ constexpr std::size_t most_repeated = 3;  ///< vl, vll, vlll as the papers write
 constexpr std::size_t most_lettered = 11; ///< va … vk; the next would be vl
 
 std::string context_name(char side, std::size_t distance) {
-    if (distance <= most_repeated) return "v" + std::string(distance, side);
-    return std::string{'v', side} + std::to_string(distance);
+    if (distance <= most_repeated) return "v_" + std::string(distance, side);
+    return std::string{'v', '_', side} + std::to_string(distance);
 }
 
 /// All formals in the order of the text.
@@ -26,9 +26,9 @@ std::vector<std::string> formals_of(const PointProduction& production) {
         if (production.strict == 1)
             formals.emplace_back("v");
         else if (lettered)
-            formals.push_back(std::string{'v', static_cast<char>('a' + i)});
+            formals.push_back(std::string{'v', '_', static_cast<char>('a' + i)});
         else
-            formals.push_back("v" + std::to_string(i + 1));
+            formals.push_back("v_" + std::to_string(i + 1));
     }
     for (std::size_t i = 1; i <= production.right; ++i) formals.push_back(context_name('r', i));
     return formals;
@@ -46,7 +46,7 @@ void append_term(Expression& sum, const Rational& weight, std::uint32_t formal) 
     sum.code.push_back({Operation::Multiply, 0});
 }
 
-/// Σ weight formal, as the language reads it: `- 1/16 vl + 9/16 v - 1/16 vr`. An empty sum is `0 v`.
+/// Σ weight formal, as the language reads it: `-1/16 v_l + 9/16 v - 1/16 v_r`. An empty sum is `0 v`.
 Expression sum_of(const PointStencil& stencil, std::size_t left, std::size_t formals) {
     Expression sum;
     if (stencil.empty()) append_term(sum, 0, static_cast<std::uint32_t>(left));
