@@ -18,6 +18,7 @@ public:
         : system_(system)
         , limit_(limit) {
         automaton_.degree_ = degree;
+        automaton_.width_ = static_cast<std::size_t>(degree) + 1;
     }
 
     void add(const CellState& state) {
@@ -82,6 +83,7 @@ private:
         const auto added = static_cast<std::uint32_t>(automaton_.states_.size());
         same_window.push_back(added);
         automaton_.states_.push_back(state);
+        automaton_.offset_.push_back(static_cast<std::int32_t>(state.lead) - automaton_.degree_);
         return added;
     }
 
@@ -107,20 +109,6 @@ private:
     StencilAutomaton automaton_;
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> rows_; ///< by hash of the doubles
 };
-
-StencilAutomaton::Support StencilAutomaton::support(std::uint32_t row) const {
-    const std::span<const Number> weights = exact_weights(row);
-    Support support{0, weights.size() - 1};
-    while (support.first < support.last && weights[support.first].sign() == 0) ++support.first;
-    while (support.last > support.first && weights[support.last].sign() == 0) --support.last;
-    return support;
-}
-
-Number StencilAutomaton::row_sum(std::uint32_t row) const {
-    Number sum;
-    for (const Number& weight : exact_weights(row)) sum += weight;
-    return sum;
-}
 
 std::uint32_t StencilAutomaton::find(const CellState& state) const {
     const auto same_window = index_.find(state.window);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The stencil automaton of an interval system: the common currency of everything one-dimensional.
+// The stencil automaton of an interval system: a cell automaton (stencil/cell_automaton.h) whose states are windows.
 //
 // A *cell* is a control point together with the leftmost interval of its support; cells and points are equal in
 // number and order. The state of a cell is (window of 2d-1 letters around the first non-empty interval j at or right of
@@ -15,6 +15,7 @@
 #pragma once
 
 #include "internode/interval/interval_system.h"
+#include "internode/stencil/cell_automaton.h"
 
 #include <cstdint>
 #include <span>
@@ -42,45 +43,12 @@ public:
 /// Whether an automaton has its weights, which are nearly all of its cost, or states and children alone.
 enum class AutomatonRows { Exact, None };
 
-class StencilAutomaton {
+class StencilAutomaton : public CellAutomaton {
 public:
-    struct Child {
-        std::uint32_t state; ///< of the new cell
-        std::uint32_t row;   ///< index of its weights; 0 without rows
-    };
-
     [[nodiscard]] int degree() const { return degree_; }
-    /// d + 1, the weights in a row.
-    [[nodiscard]] std::size_t width() const { return static_cast<std::size_t>(degree_) + 1; }
-    [[nodiscard]] std::size_t state_count() const { return states_.size(); }
-    /// 0 when it was made without rows.
-    [[nodiscard]] std::size_t row_count() const { return weights_.size() / width(); }
     [[nodiscard]] const CellState& state(std::uint32_t state) const { return states_[state]; }
-    [[nodiscard]] std::span<const Child> children(std::uint32_t state) const {
-        return {children_.data() + first_child_[state], first_child_[state + 1] - first_child_[state]};
-    }
-    /// Position of the first parent relative to the cell: z - d.
-    [[nodiscard]] std::ptrdiff_t offset(std::uint32_t state) const {
-        return static_cast<std::ptrdiff_t>(states_[state].lead) - degree_;
-    }
-    /// The weights of a row, each the nearest double to the exact one.
-    [[nodiscard]] std::span<const double> weights(std::uint32_t row) const {
-        return {weights_.data() + row * width(), width()};
-    }
-    [[nodiscard]] std::span<const Number> exact_weights(std::uint32_t row) const {
-        return {exact_.data() + row * width(), width()};
-    }
     /// How many different windows the states have.
     [[nodiscard]] std::size_t window_count() const { return index_.size(); }
-    /// The part of a row between its outer zeros: weights first … last are enough, 0 <= first <= last <= d. Parent i of
-    /// the row is the one at cell + offset(state) + i.
-    struct Support {
-        std::size_t first;
-        std::size_t last;
-    };
-    [[nodiscard]] Support support(std::uint32_t row) const;
-    /// The exact sum of a row: 1, by affine invariance.
-    [[nodiscard]] Number row_sum(std::uint32_t row) const;
     /// The state of that window and lead. \throw std::out_of_range when the automaton does not have it
     [[nodiscard]] std::uint32_t find(const CellState& state) const;
 
@@ -88,10 +56,6 @@ private:
     friend class AutomatonBuilder;
     int degree_ = 1;
     std::vector<CellState> states_;
-    std::vector<std::size_t> first_child_; ///< state_count() + 1
-    std::vector<Child> children_;
-    std::vector<Number> exact_;                                            ///< row_count() * width()
-    std::vector<double> weights_;                                          ///< the same, rounded
     std::unordered_map<Word, std::vector<std::uint32_t>, WordHash> index_; ///< states of a window
 };
 

@@ -81,12 +81,15 @@ private:
     void run_cells(const Task& task, Kernel<Scalar> kernel, Scalar* out, Store store) const {
         CellWork<Scalar> work[batch];
         for (std::size_t first = task.first_cell; first < task.last_cell; first += batch) {
-            const std::size_t count = std::min(batch, task.last_cell - first);
+            const std::size_t last = std::min(first + batch, task.last_cell);
+            std::size_t count = 0; // of the cells that have descendants
             std::size_t points = 0;
-            for (std::size_t i = 0; i < count; ++i) {
-                work[i] = describe(first + i);
-                points += work[i].rows;
+            for (std::size_t cell = first; cell < last; ++cell) {
+                work[count] = describe(cell);
+                points += work[count].rows;
+                if (work[count].rows > 0) ++count;
             }
+            if (count == 0) continue;
             kernel(work, count, parents_.dimension, out, store);
             out += points * parents_.dimension;
         }
@@ -115,10 +118,14 @@ private:
         return stencils_.width * parents_.dimension + padding_bytes / sizeof(Scalar);
     }
 
-    /// The first d cells and the last d+1: a row of the others has a whole point behind it.
+    /// The cells whose parents are not all there, and those that have no whole point behind their parents.
     void copy_ends() {
-        left_ = std::min(cells_, stencils_.width - 1);
-        right_ = std::max(left_, cells_ - std::min(cells_, stencils_.width));
+        const auto [least, most] = std::ranges::minmax(stencils_.offset);
+        const auto width = static_cast<std::ptrdiff_t>(stencils_.width);
+        const auto before = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, -least));
+        const auto behind = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, most + width));
+        left_ = std::min(cells_, before);
+        right_ = std::max(left_, cells_ - std::min(cells_, behind));
         ends_.resize((left_ + cells_ - right_) * end_stride());
         for (std::size_t cell = 0; cell < left_; ++cell) copy_parents(cell, ends_.data() + cell * end_stride());
         for (std::size_t cell = right_; cell < cells_; ++cell)

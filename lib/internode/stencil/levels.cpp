@@ -16,7 +16,7 @@ std::vector<bool> present(const std::vector<std::uint64_t>& cells_of) {
 
 } // namespace
 
-Levels levels_of(const StencilAutomaton& automaton, const std::vector<std::uint32_t>& cells, int steps) {
+Levels levels_of(const CellAutomaton& automaton, const std::vector<std::uint32_t>& cells, int steps) {
     constexpr std::uint64_t most = std::uint64_t{1} << 62;
     std::vector<std::uint64_t> cells_of(automaton.state_count());
     for (const std::uint32_t state : cells) ++cells_of[state];
@@ -25,7 +25,7 @@ Levels levels_of(const StencilAutomaton& automaton, const std::vector<std::uint3
         std::vector<std::uint64_t> next(cells_of.size());
         std::uint64_t total = 0;
         for (std::uint32_t state = 0; state < cells_of.size(); ++state)
-            for (const StencilAutomaton::Child& child : automaton.children(state)) {
+            for (const CellAutomaton::Child& child : automaton.children(state)) {
                 next[child.state] += cells_of[state];
                 total += cells_of[state];
                 if (total > most) throw std::length_error("a refinement to more than 2^62 points");

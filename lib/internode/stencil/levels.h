@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "internode/stencil/automaton.h"
+#include "internode/stencil/cell_automaton.h"
 
 #include <cstdint>
 #include <vector>
@@ -17,6 +17,6 @@ struct Levels {
 };
 
 /// From the states of the cells of a word. \throw std::length_error for more than 2^62 cells
-[[nodiscard]] Levels levels_of(const StencilAutomaton& automaton, const std::vector<std::uint32_t>& cells, int steps);
+[[nodiscard]] Levels levels_of(const CellAutomaton& automaton, const std::vector<std::uint32_t>& cells, int steps);
 
 } // namespace internode

@@ -12,13 +12,15 @@ namespace internode {
 
 LevelsPlan::LevelsPlan(const IntervalSystem& system, int degree, WordView word, Ends ends, int steps,
                        const PlanOptions& options)
-    : plan_(system, degree, word, ends, steps, options)
+    : LevelsPlan(system, start_cells(system, degree, word, ends, options), steps, options) {}
+
+LevelsPlan::LevelsPlan(const IntervalSystem& system, const StartCells& start, int steps, const PlanOptions& options)
+    : plan_(system, start.automaton, start.cells, steps, options)
     , starts_{0} {
     if (steps < 1) throw std::invalid_argument("levels of fewer than one step");
-    const StencilAutomaton& automaton = plan_.automaton();
-    const Levels levels = levels_of(automaton, plan_.cells(), steps);
+    const Levels levels = levels_of(*start.automaton, start.cells, steps);
     const auto table = [&](int base, int level) {
-        return fuse(automaton, system, level - base, levels.occupied[static_cast<std::size_t>(base)]);
+        return fuse(*start.automaton, system, level - base, levels.occupied[static_cast<std::size_t>(base)]);
     };
     int base = 0;
     int level = 1;

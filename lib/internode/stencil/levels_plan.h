@@ -37,6 +37,8 @@ public:
                const ApplyOptions& options = {}) const;
 
 private:
+    LevelsPlan(const IntervalSystem& system, const StartCells& start, int steps, const PlanOptions& options);
+
     struct Level {
         int base; ///< the level it is computed from
         std::shared_ptr<const FusedStencils> stencils;

@@ -20,7 +20,7 @@ constexpr std::uint64_t least_growth = 12;
 /// Chooses how many steps go together.
 class BlockChoice {
 public:
-    BlockChoice(const StencilAutomaton& automaton, const Levels& levels, const PlanOptions& options)
+    BlockChoice(const CellAutomaton& automaton, const Levels& levels, const PlanOptions& options)
         : automaton_(automaton)
         , levels_(levels)
         , options_(options) {}
@@ -48,7 +48,7 @@ private:
     void advance(std::vector<std::uint64_t>& descendants) const {
         std::vector<std::uint64_t> next(descendants.size());
         for (std::uint32_t state = 0; state < descendants.size(); ++state)
-            for (const StencilAutomaton::Child& child : automaton_.children(state))
+            for (const CellAutomaton::Child& child : automaton_.children(state))
                 next[state] = std::min(most_rows, next[state] + descendants[child.state]);
         descendants = std::move(next);
     }
@@ -72,17 +72,10 @@ private:
     }
 
     static constexpr std::uint64_t most_rows = std::uint64_t{1} << 40; // no table has as many
-    const StencilAutomaton& automaton_;
+    const CellAutomaton& automaton_;
     const Levels& levels_;
     PlanOptions options_;
 };
-
-/// The table of a block; none where it would not be precise.
-std::shared_ptr<const FusedStencils> table_of(const StencilAutomaton& automaton, const IntervalSystem& system,
-                                              int steps, const std::vector<bool>& wanted) {
-    std::optional<FusedStencils> made = fuse(automaton, system, steps, wanted);
-    return made ? std::make_shared<const FusedStencils>(*std::move(made)) : nullptr;
-}
 
 /// The counts come from the caller.
 std::size_t coordinates(std::uint64_t points, std::size_t dimension) {
@@ -93,43 +86,52 @@ std::size_t coordinates(std::uint64_t points, std::size_t dimension) {
 
 } // namespace
 
-/// An automaton and the states of the cells of a word in it.
-struct RefinementPlan::Start {
-    std::shared_ptr<const StencilAutomaton> automaton;
-    std::vector<std::uint32_t> cells;
-
-    static Start of(const IntervalSystem& system, int degree, const std::vector<CellState>& states,
-                    const PlanOptions& options) {
-        const AutomatonRows rows = options.most_fused_steps == 1 ? AutomatonRows::Exact : AutomatonRows::None;
-        Start start;
-        start.automaton =
-            std::make_shared<const StencilAutomaton>(make_automaton(system, degree, states, options.state_limit, rows));
-        start.cells.reserve(states.size());
-        for (const CellState& state : states) start.cells.push_back(start.automaton->find(state));
-        return start;
-    }
-};
+StartCells start_cells(const IntervalSystem& system, int degree, WordView word, Ends ends, const PlanOptions& options) {
+    const std::vector<CellState> states = cell_states(word, degree, ends);
+    const AutomatonRows rows = options.most_fused_steps == 1 ? AutomatonRows::Exact : AutomatonRows::None;
+    StartCells start;
+    start.automaton =
+        std::make_shared<const StencilAutomaton>(make_automaton(system, degree, states, options.state_limit, rows));
+    start.cells.reserve(states.size());
+    for (const CellState& state : states) start.cells.push_back(start.automaton->find(state));
+    return start;
+}
 
 RefinementPlan::RefinementPlan(const IntervalSystem& system, int degree, WordView word, Ends ends, int steps,
                                const PlanOptions& options)
-    : RefinementPlan(system, Start::of(system, degree, cell_states(word, degree, ends), options), steps, options) {}
+    : RefinementPlan(system, start_cells(system, degree, word, ends, options), steps, options) {}
 
 RefinementPlan::RefinementPlan(const IntervalSystem& system, std::shared_ptr<const StencilAutomaton> automaton,
                                std::vector<std::uint32_t> cells, int steps, const PlanOptions& options)
-    : RefinementPlan(system, Start{std::move(automaton), std::move(cells)}, steps, options) {}
+    : RefinementPlan(system, StartCells{std::move(automaton), std::move(cells)}, steps, options) {}
 
-RefinementPlan::RefinementPlan(const IntervalSystem& system, Start start, int steps, const PlanOptions& options)
-    : automaton_(std::move(start.automaton))
-    , cells_(std::move(start.cells)) {
+RefinementPlan::RefinementPlan(const IntervalSystem& system, StartCells start, int steps, const PlanOptions& options)
+    : RefinementPlan(
+          start.automaton, std::move(start.cells), steps,
+          [&, automaton = start.automaton](int count, const std::vector<bool>& wanted) {
+              return fuse(*automaton, system, count, wanted);
+          },
+          options) {}
+
+RefinementPlan::RefinementPlan(std::shared_ptr<const CellAutomaton> automaton, std::vector<std::uint32_t> cells,
+                               int steps, const FuseSteps& fuse, const PlanOptions& options)
+    : automaton_(std::move(automaton))
+    , cells_(std::move(cells)) {
     if (steps < 0) throw std::invalid_argument("a negative number of steps");
-    Levels levels = levels_of(*automaton_, cells_, steps);
+    choose_blocks(steps, fuse, options);
+}
 
+void RefinementPlan::choose_blocks(int steps, const FuseSteps& fuse, const PlanOptions& options) {
+    Levels levels = levels_of(*automaton_, cells_, steps);
     const BlockChoice choice(*automaton_, levels, options);
+    const auto table = [&](int level, int count) -> std::shared_ptr<const FusedStencils> {
+        std::optional<FusedStencils> made = fuse(count, levels.occupied[static_cast<std::size_t>(level - count)]);
+        return made ? std::make_shared<const FusedStencils>(*std::move(made)) : nullptr;
+    };
     for (int level = steps; level > 0;) {
         int count = choice.last_block(static_cast<std::size_t>(level));
-        const auto wanted = [&] { return levels.occupied[static_cast<std::size_t>(level - count)]; };
-        auto stencils = table_of(*automaton_, system, count, wanted());
-        if (stencils == nullptr) stencils = table_of(*automaton_, system, count = 1, wanted());
+        std::shared_ptr<const FusedStencils> stencils = table(level, count);
+        if (stencils == nullptr) stencils = table(level, count = 1);
         level -= count;
         blocks_.insert(blocks_.begin(), {level, stencils});
     }

@@ -14,7 +14,9 @@
 #include "internode/stencil/kernel.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,8 +35,25 @@ struct ApplyOptions {
     std::size_t grain = 524288; ///< coordinates that a task writes, about: less is not worth a thread
 };
 
+/// An automaton and the states of the cells of a word in it.
+struct StartCells {
+    std::shared_ptr<const StencilAutomaton> automaton; ///< without rows, unless options.most_fused_steps is 1
+    std::vector<std::uint32_t> cells;
+};
+
+/// Of a word that fits the degree (stencil/automaton.h, cell_states). \throw std::invalid_argument, TooManyStates
+[[nodiscard]] StartCells start_cells(const IntervalSystem& system, int degree, WordView word, Ends ends,
+                                     const PlanOptions& options);
+
+/// Makes the table of so many steps for the wanted states; none where it would not be precise (never for one step).
+using FuseSteps = std::function<std::optional<FusedStencils>(int steps, const std::vector<bool>& wanted)>;
+
 class RefinementPlan {
 public:
+    /// Of any cell automaton; `fuse` is called here and not kept. \throw as below
+    RefinementPlan(std::shared_ptr<const CellAutomaton> automaton, std::vector<std::uint32_t> cells, int steps,
+                   const FuseSteps& fuse, const PlanOptions& options = {});
+
     /// Of a word that fits the degree (stencil/automaton.h, cell_states) and steps >= 0.
     /// \throw std::invalid_argument, TooManyStates, std::length_error for more than 2^62 points
     RefinementPlan(const IntervalSystem& system, int degree, WordView word, Ends ends, int steps,
@@ -52,7 +71,7 @@ public:
     /// How many steps each block does at once, first to last.
     [[nodiscard]] std::vector<int> blocks() const;
     /// Without rows, unless single steps were asked for or it was given.
-    [[nodiscard]] const StencilAutomaton& automaton() const { return *automaton_; }
+    [[nodiscard]] const CellAutomaton& automaton() const { return *automaton_; }
     /// The state of each cell of the word.
     [[nodiscard]] const std::vector<std::uint32_t>& cells() const { return cells_; }
     /// The state of each cell after all steps.
@@ -73,8 +92,8 @@ public:
                     const ApplyOptions& options = {}) const;
 
 private:
-    struct Start;
-    RefinementPlan(const IntervalSystem& system, Start start, int steps, const PlanOptions& options);
+    RefinementPlan(const IntervalSystem& system, StartCells start, int steps, const PlanOptions& options);
+    void choose_blocks(int steps, const FuseSteps& fuse, const PlanOptions& options);
 
     struct Block {
         int first_step = 0;
@@ -90,7 +109,7 @@ private:
     void apply_blocks(const std::vector<CellArray>& cells, const Scalar* points, std::size_t dimension, Scalar* out,
                       const ApplyOptions& options) const;
 
-    std::shared_ptr<const StencilAutomaton> automaton_;
+    std::shared_ptr<const CellAutomaton> automaton_;
     std::vector<std::uint32_t> cells_; ///< state of each cell of the word
     std::vector<std::uint64_t> sizes_;
     std::vector<Block> blocks_;
