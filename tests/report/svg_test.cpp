@@ -19,11 +19,6 @@ TEST(Svg, WritesFixedDecimalsWithoutNoise) {
     EXPECT_EQ(fixed(1e300, 0).size(), 301U);
 }
 
-TEST(Svg, LogarithmsAreThoseOfTheMathematicalFunction) {
-    for (const double value : {1.0, 10.0, 1e-300, 5e-324, 1.7e308, 2.0, 3.14159, 0.1, 12345.678})
-        EXPECT_NEAR(decimal_logarithm(value), std::log10(value), 1e-13) << value;
-}
-
 TEST(Svg, PointsOfTheCircleStartAtTheTopAndTurnClockwise) {
     for (std::size_t count = 1; count <= 70; ++count) {
         const std::vector<Point2> points = points_on_circle(count);

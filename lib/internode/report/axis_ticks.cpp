@@ -2,6 +2,7 @@
 
 #include "internode/report/axis_ticks.h"
 
+#include "internode/algebra/logarithm.h"
 #include "internode/report/svg.h"
 #include "internode/report/text_table.h"
 

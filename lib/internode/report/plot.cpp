@@ -2,6 +2,7 @@
 
 #include "internode/report/plot.h"
 
+#include "internode/algebra/logarithm.h"
 #include "internode/report/markup.h"
 
 #include <algorithm>

@@ -44,9 +44,6 @@ struct SvgHead {
 /// The opening of the document, its title, description and metadata, and the white ground of a file.
 [[nodiscard]] std::string svg_open(const SvgHead& head, SvgPlace place);
 
-/// log10 of a positive finite number, to about 1e-15.
-[[nodiscard]] double decimal_logarithm(double value);
-
 /// `count` points of the unit circle, the first at the top, clockwise on the screen.
 [[nodiscard]] std::vector<Point2> points_on_circle(std::size_t count);
 
