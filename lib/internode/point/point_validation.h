@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+//
+// Everything that `internode validate` says about a point grammar, as one value: the text and the JSON print the same.
+//
+// A grammar is valid iff its parameters have kinds, every point expression is an affine combination of points or is
+// meant to be something else (literal points, coordinates), and the ends of open words are complete. What compiles,
+// how smooth it is and what it is called are facts beside that.
+
+#pragma once
+
+#include "internode/point/affine.h"
+#include "internode/point/coverage.h"
+#include "internode/point/known_schemes.h"
+#include "internode/point/mask_properties.h"
+#include "internode/point/smoothness.h"
+#include "internode/point/uniform_mask.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace internode {
+
+/// What the compiler says (point/compile.h), as plain data.
+struct CompilationFacts {
+    bool compiles = false;
+    std::vector<std::string> reasons; ///< why not
+    std::size_t states = 0;           ///< of the automaton
+    std::optional<UniformMask> mask;  ///< of one cycle, away from ends, when it is the same everywhere
+    /// The degree at which `intervals A -> A A` gives the same automaton in normal form, and how far new points were
+    /// moved between neighbouring cells for that.
+    std::optional<std::size_t> interval_degree;
+    std::ptrdiff_t interval_shift = 0;
+};
+
+/// What follows from the mask.
+struct MaskFacts {
+    UniformMask mask;
+    MaskProperties properties;
+    std::vector<KnownScheme> known;
+    std::optional<Smoothness> smoothness; ///< none for long masks
+};
+
+struct PointValidation {
+    bool valid = false;
+    std::vector<PointProblem> problems; ///< why the grammar cannot be run; then the rest is empty
+    std::vector<AffineFinding> affine;
+    std::optional<Coverage> coverage;
+    std::optional<CompilationFacts> compilation; ///< none when nobody tried
+    std::optional<MaskFacts> mask;               ///< none when there is none, or one too long to look at
+};
+
+/// Longer masks are not looked at: their analysis is quadratic.
+inline constexpr std::size_t max_validated_coefficients = 4'096;
+
+/// \throw std::invalid_argument for a mask of arity below 2 or without coefficients
+[[nodiscard]] MaskFacts mask_facts(const UniformMask& mask);
+
+[[nodiscard]] PointValidation make_point_validation(const PointSystem& system,
+                                                    std::optional<CompilationFacts> compilation = std::nullopt);
+
+/// Of a grammar that is no system.
+[[nodiscard]] PointValidation make_point_validation(std::vector<PointProblem> problems);
+
+} // namespace internode
