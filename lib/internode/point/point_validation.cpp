@@ -2,9 +2,30 @@
 
 #include "internode/point/point_validation.h"
 
+#include "internode/point/grammar_mask.h"
+
 #include <algorithm>
 
 namespace internode {
+
+namespace {
+
+CompilationFacts compilation_facts(const PointSystem& system) {
+    const bool from_axiom = system.grammar().axiom && !system.grammar().input && system.start() != PointStart::Input;
+    const StartWord start{from_axiom || system.start() == PointStart::Axiom ? std::nullopt
+                                                                            : std::optional<std::size_t>(many_points)};
+    Compilation compilation = compile(system, start);
+    CompilationFacts facts;
+    facts.reasons = std::move(compilation.reasons);
+    if (!compilation.compiled) return facts;
+    facts.compiles = true;
+    facts.states = compilation.compiled->automaton().state_count();
+    facts.mask = uniform_mask(*compilation.compiled);
+    facts.twin = interval_twin(*compilation.compiled);
+    return facts;
+}
+
+} // namespace
 
 MaskFacts mask_facts(const UniformMask& mask) {
     MaskFacts facts;
@@ -15,18 +36,18 @@ MaskFacts mask_facts(const UniformMask& mask) {
     return facts;
 }
 
-PointValidation make_point_validation(const PointSystem& system, std::optional<CompilationFacts> compilation) {
+PointValidation make_point_validation(const PointSystem& system) {
     PointValidation validation;
     validation.affine = affine_findings(system);
     validation.coverage = coverage(system);
-    validation.compilation = std::move(compilation);
-    if (validation.compilation && validation.compilation->mask) {
+    validation.compilation = compilation_facts(system);
+    if (validation.compilation->mask) {
         const UniformMask& mask = *validation.compilation->mask;
         const bool short_enough = mask.coefficients.size() <= max_validated_coefficients;
         if (mask.arity >= 2 && !mask.coefficients.empty() && short_enough) validation.mask = mask_facts(mask);
     }
-    validation.valid = validation.coverage->ends_complete &&
-                       std::ranges::all_of(validation.affine, is_sound, &AffineFinding::verdict);
+    validation.valid =
+        validation.coverage->ends_complete && std::ranges::all_of(validation.affine, is_sound, &AffineFinding::verdict);
     return validation;
 }
 

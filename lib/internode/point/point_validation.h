@@ -9,7 +9,9 @@
 #pragma once
 
 #include "internode/point/affine.h"
+#include "internode/point/compile.h"
 #include "internode/point/coverage.h"
+#include "internode/point/interval_twin.h"
 #include "internode/point/known_schemes.h"
 #include "internode/point/mask_properties.h"
 #include "internode/point/smoothness.h"
@@ -17,21 +19,17 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace internode {
 
-/// What the compiler says (point/compile.h), as plain data.
+/// What the compiler says (point/compile.h) of polygons of many points, or of the axiom.
 struct CompilationFacts {
     bool compiles = false;
-    std::vector<std::string> reasons; ///< why not
+    std::vector<ExactStop> reasons;   ///< why not
     std::size_t states = 0;           ///< of the automaton
     std::optional<UniformMask> mask;  ///< of one cycle, away from ends, when it is the same everywhere
-    /// The degree at which `intervals A -> A A` gives the same automaton in normal form, and how far new points were
-    /// moved between neighbouring cells for that.
-    std::optional<std::size_t> interval_degree;
-    std::ptrdiff_t interval_shift = 0;
+    std::optional<IntervalTwin> twin; ///< the interval grammar with the same automaton
 };
 
 /// What follows from the mask.
@@ -47,8 +45,8 @@ struct PointValidation {
     std::vector<PointProblem> problems; ///< why the grammar cannot be run; then the rest is empty
     std::vector<AffineFinding> affine;
     std::optional<Coverage> coverage;
-    std::optional<CompilationFacts> compilation; ///< none when nobody tried
-    std::optional<MaskFacts> mask;               ///< none when there is none, or one too long to look at
+    std::optional<CompilationFacts> compilation;
+    std::optional<MaskFacts> mask; ///< none when there is none, or one too long to look at
 };
 
 /// Longer masks are not looked at: their analysis is quadratic.
@@ -57,8 +55,8 @@ inline constexpr std::size_t max_validated_coefficients = 4'096;
 /// \throw std::invalid_argument for a mask of arity below 2 or without coefficients
 [[nodiscard]] MaskFacts mask_facts(const UniformMask& mask);
 
-[[nodiscard]] PointValidation make_point_validation(const PointSystem& system,
-                                                    std::optional<CompilationFacts> compilation = std::nullopt);
+/// Cost: bounded by the limits of its parts; a few milliseconds for the grammars of the papers.
+[[nodiscard]] PointValidation make_point_validation(const PointSystem& system);
 
 /// Of a grammar that is no system.
 [[nodiscard]] PointValidation make_point_validation(std::vector<PointProblem> problems);

@@ -14,6 +14,8 @@ namespace internode {
 
 namespace {
 
+constexpr std::size_t label_columns = 16; // of labelled lines
+
 constexpr std::size_t line_columns = 100;
 constexpr std::size_t longest_exact = 28;
 
@@ -94,6 +96,12 @@ std::string wrapped(std::string_view sentence, std::size_t indent) {
         column += columns_of(word);
     }
     return text;
+}
+
+std::string labelled(std::string_view label, std::string_view sentence) {
+    std::string text = "  " + std::string(label);
+    text.resize(label_columns, ' ');
+    return text + wrapped(sentence, label_columns) + '\n';
 }
 
 std::string rounded(double value) {

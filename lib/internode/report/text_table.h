@@ -41,6 +41,9 @@ private:
 /// taken to stand after as many columns.
 [[nodiscard]] std::string wrapped(std::string_view sentence, std::size_t indent);
 
+/// "  label         sentence" on its own lines: the sentence in column 16 and after, wrapped.
+[[nodiscard]] std::string labelled(std::string_view label, std::string_view sentence);
+
 /// Four significant digits: "0.2361", "1.235e-07".
 [[nodiscard]] std::string rounded(double value);
 

@@ -14,13 +14,6 @@ namespace {
 
 constexpr std::size_t listed_rules = 12;
 constexpr std::size_t listed_symbols = 8; // of a class
-constexpr std::size_t label_columns = 16;
-
-std::string labelled(std::string_view label, std::string_view sentence) {
-    std::string text = "  " + std::string(label);
-    text.resize(label_columns, ' ');
-    return text + wrapped(sentence, label_columns) + '\n';
-}
 
 std::string_view decision_text(Decision decision) {
     switch (decision) {
