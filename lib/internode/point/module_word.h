@@ -29,6 +29,8 @@ public:
     [[nodiscard]] std::span<double> values(std::size_t i) {
         return {values_.data() + first_[i], (i + 1 < first_.size() ? first_[i + 1] : values_.size()) - first_[i]};
     }
+    /// Of all modules together.
+    [[nodiscard]] std::size_t value_count() const { return values_.size(); }
     void push_back(Symbol letter, std::span<const double> values);
     void reserve(std::size_t modules, std::size_t values);
     friend bool operator==(const ModuleWord&, const ModuleWord&) = default;
@@ -39,14 +41,17 @@ private:
     std::vector<double> values_;
 };
 
-/// As S0 eq. 12 prints a word: `A(4) A(3.5) A(7.5) B(10) C(1)`, points in parentheses, numbers by shortest round trip.
+/// S0 eq. 12, a blank between modules: `A(4) A(3.5) A(7.5) B(10)`; points in parentheses, numbers by shortest round
+/// trip.
 [[nodiscard]] std::string to_string(const ModuleWord& word, const PointGrammar& grammar, const Layout& layout);
 
-/// The word of the grammar's axiom. \throw std::invalid_argument when it has none
+/// The word of the grammar's axiom. \throw std::invalid_argument when it has none, or when the system was made for the
+/// input alone
 [[nodiscard]] ModuleWord axiom_word(const PointSystem& system);
 
 /// The word that the grammar's input makes of a polygon: rows of system.dimension() coordinates.
-/// \throw std::invalid_argument for no point or another dimension
+/// \throw std::invalid_argument for no point, another dimension, a parameter that would not be finite, and when the
+/// system was made for the axiom alone
 [[nodiscard]] ModuleWord input_word(const PointSystem& system, std::span<const double> points);
 
 /// The drawing of a word: the modules with exactly one point are joined along their axes (a branch starts at the point
@@ -64,7 +69,7 @@ struct PointStrands {
 };
 
 /// `passes`: after how many interpretation passes the word is. Points of several dimensions in one word: those of the
-/// first are kept.
+/// first are kept. A branch without points has no strand. Cost: linear.
 [[nodiscard]] PointStrands strands(const ModuleWord& word, const PointSystem& system, std::size_t passes);
 
 } // namespace internode

@@ -5,6 +5,7 @@
 #include "internode/point/constants.h"
 #include "internode/point/kinds.h"
 #include "internode/point/layouts.h"
+#include "internode/point/module_writer.h"
 #include "internode/point/rule_programs.h"
 
 #include <fmt/format.h>
@@ -50,11 +51,10 @@ public:
             system_.layouts_ = infer_layouts(system_.grammar_, settings_, problems_);
             expand_cycle();
         }
+        if (problems_.empty()) make_programs_and_axiom();
         if (!problems_.empty()) return {std::nullopt, std::move(problems_)};
         for (const KnownNumber& one : known_) system_.constants_.push_back({nearest(one), one.exact});
         system_.rules_of_ = rules_by_table(system_.grammar_);
-        system_.programs_ =
-            std::make_shared<const PointPrograms>(make_programs(system_.grammar_, known_, system_.layouts_));
         return {std::move(system_), {}};
     }
 
@@ -109,6 +109,21 @@ private:
         for (const std::vector<PointRule>& pass : grammar.interpretations) visit_rules(pass);
         for (const CycleItem& item : grammar.cycle)
             if (item.count) visit(*item.count);
+    }
+
+    void make_programs_and_axiom() {
+        auto programs = std::make_shared<PointPrograms>(make_programs(system_.grammar_, known_, system_.layouts_));
+        if (system_.grammar_.axiom && settings_.start != PointStart::Input) {
+            ProgramMaker maker(system_.grammar_, known_);
+            ModuleWriter writer(maker.functions());
+            for (const ModuleTemplate& one : *system_.grammar_.axiom) {
+                ModulePrograms compiled{one.letter, {}};
+                for (const Expression& argument : one.arguments) compiled.arguments.push_back(maker.make(argument, {}));
+                if (const std::optional<std::size_t> refused = writer.write(compiled, {}, programs->axiom))
+                    problems_.push_back({one.arguments[*refused].place, "a parameter of the axiom is not finite", ""});
+            }
+        }
+        system_.programs_ = std::move(programs);
     }
 
     void expand_cycle() {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "internode/point/evaluation.h"
+#include "internode/point/module_word.h"
 
 #include <cstdint>
 #include <optional>
@@ -38,9 +39,10 @@ struct RuleSetPrograms {
 struct PointPrograms {
     std::vector<Program> functions;    ///< of the definitions
     std::vector<RuleSetPrograms> sets; ///< 0: the derivation; k: interpretation pass k
+    ModuleWord axiom;                  ///< empty without one
 };
 
-/// Cost: linear in the grammar. Precondition: the layouts are those of the grammar.
+/// All but the axiom. Cost: linear in the grammar. Precondition: the layouts are those of the grammar.
 [[nodiscard]] PointPrograms make_programs(const PointGrammar& grammar, std::span<const KnownNumber> constants,
                                           std::span<const Layout> layouts);
 

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// One parallel rewriting of a whole word: a derivation step or an interpretation pass.
+
+#pragma once
+
+#include "internode/point/interpreter.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace internode {
+
+/// What is applied, and how it is read.
+struct RewritingTask {
+    const PointSystem& system;
+    std::span<const PointRule> rules;
+    std::size_t set = 0;          ///< of system.programs().sets, to which the rules belong
+    std::size_t table = 0;        ///< of that set
+    std::uint64_t stream = 0;     ///< of the random draws
+    std::uint64_t first_pair = 0; ///< strict predecessors of several modules begin here or later
+    std::uint64_t rotation = 0;   ///< by which the ring was turned, for the record's numbers
+};
+
+/// The new word, or the old one with the problem. Cost: the word times the letters of the rules.
+[[nodiscard]] Derivation rewrite(const RewritingTask& task, ModuleWord word, const DeriveOptions& options,
+                                 StepRecord* record);
+
+} // namespace internode
