@@ -29,7 +29,6 @@ CommandReader::CommandReader() {
     add_grammar_commands();
     add_curve_commands();
     add_pyramid_commands();
-    add_infer();
     add_small_commands();
 }
 

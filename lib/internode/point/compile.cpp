@@ -12,6 +12,7 @@
 namespace internode {
 namespace {
 
+/// Widths of pieces, one after the other.
 constexpr std::array<std::size_t, 12> sides{1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64};
 
 /// Why no piece could decide, seen in the grammar alone.
@@ -93,6 +94,10 @@ public:
             }
             if (!done) continue;
             result.compiled = finish();
+            if (result.compiled->automaton().width() <= max_row_width) return result;
+            result.compiled.reset();
+            result.reasons.push_back(
+                {{}, "needs more than " + std::to_string(max_row_width) + " neighbouring points for a new one"});
             return result;
         }
         result.reasons.push_back({{}, "needs letters that lie further away with every cycle"});

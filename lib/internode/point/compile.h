@@ -65,12 +65,17 @@ public:
     /// be wider than a kernel takes.
     [[nodiscard]] std::optional<FusedStencils> fuse(int cycles, const std::vector<bool>& wanted) const;
 
-    /// \throw std::length_error for more than 2^62 points
+    /// Of the start word. \throw std::length_error for more than 2^62 points
     [[nodiscard]] RefinementPlan plan(int cycles, const PlanOptions& options = {}) const;
 
     /// The word whose cells have these states and these points, rows of `dimension` coordinates.
     [[nodiscard]] ModuleWord word(std::span<const std::uint32_t> states, std::span<const double> points,
                                   std::size_t dimension) const;
+
+    /// The word after `cycles` cycles of a start word with these points (cell_points), before any interpretation.
+    /// \throw std::invalid_argument for another number of points, std::length_error as plan()
+    [[nodiscard]] ModuleWord derive(std::span<const double> points, std::size_t dimension, int cycles,
+                                    const ApplyOptions& options = {}) const;
 
 private:
     friend class GrammarCompiler;
@@ -96,6 +101,9 @@ private:
     std::vector<std::uint32_t> cells_;
     std::optional<std::uint32_t> interior_;
 };
+
+/// The points of all modules of a word, one after the other: those of its cells.
+[[nodiscard]] std::vector<double> cell_points(const ModuleWord& word, const PointSystem& system);
 
 struct Compilation {
     std::optional<CompiledGrammar> compiled; ///< present iff reasons is empty

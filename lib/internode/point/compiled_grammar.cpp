@@ -11,8 +11,6 @@
 namespace internode {
 namespace {
 
-/// The kernels take rows of at most so many weights.
-constexpr std::size_t max_width = 13;
 /// A weight below this cannot be seen in a sum of products; it is what is left of an exact 0.
 constexpr double smallest_weight = 0x1p-80;
 /// Weights larger than this have lost the bits that make the rounded rows right.
@@ -102,7 +100,7 @@ std::optional<FusedStencils> table_of(const std::vector<Descendants>& descendant
         table.offset.push_back(static_cast<std::int32_t>(span.first));
         table.width = std::max(table.width, span.width);
     }
-    if (table.width > max_width) return std::nullopt;
+    if (table.width > max_row_width) return std::nullopt;
     for (std::size_t state = 0; state < descendants.size(); ++state) {
         table.first_row.push_back(static_cast<std::uint32_t>(table.descendants.size()));
         table.descendants.insert(table.descendants.end(), descendants[state].states.begin(),
@@ -124,8 +122,7 @@ std::vector<bool> children_of(const std::vector<bool>& states, const CellRules& 
 }
 
 /// The exact rows of one cycle, rounded once.
-std::optional<FusedStencils> one_cycle(const CellAutomaton& automaton, const std::vector<bool>& wanted) {
-    if (automaton.width() > max_width) return std::nullopt;
+FusedStencils one_cycle(const CellAutomaton& automaton, const std::vector<bool>& wanted) {
     FusedStencils table;
     table.width = automaton.width();
     for (std::uint32_t state = 0; state < automaton.state_count(); ++state) {
@@ -225,6 +222,28 @@ ModuleWord CompiledGrammar::word(std::span<const std::uint32_t> states, std::spa
         cell = std::max(next, cell + 1);
     }
     return word;
+}
+
+ModuleWord CompiledGrammar::derive(std::span<const double> points, std::size_t dimension, int cycles,
+                                   const ApplyOptions& options) const {
+    const RefinementPlan refinement = plan(cycles);
+    std::vector<double> refined(refinement.output_size() * dimension);
+    refinement.apply<double>(points, dimension, refined, options);
+    return word(refinement.final_cells(), refined, dimension);
+}
+
+std::vector<double> cell_points(const ModuleWord& word, const PointSystem& system) {
+    std::vector<double> points;
+    for (std::size_t i = 0; i < word.size(); ++i) {
+        std::span<const double> values = word.values(i);
+        for (const Extent extent : system.layout()[to_index(word.letter(i))].value()) {
+            const std::size_t width = std::max<std::size_t>(extent, 1);
+            if (extent > 0)
+                points.insert(points.end(), values.begin(), values.begin() + static_cast<std::ptrdiff_t>(width));
+            values = values.subspan(width);
+        }
+    }
+    return points;
 }
 
 } // namespace internode

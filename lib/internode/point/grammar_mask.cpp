@@ -25,17 +25,20 @@ std::map<std::ptrdiff_t, Rational> coefficients(const std::vector<CellChild>& ch
 
 } // namespace
 
-std::optional<UniformMask> uniform_mask(const CompiledGrammar& compiled) {
-    if (!compiled.interior()) return std::nullopt;
-    const std::uint32_t start[] = {*compiled.interior()};
-    if (normal_form(compiled.rules(), start).rules.size() != 1) return std::nullopt;
-    const std::vector<CellChild>& children = compiled.rules()[start[0]];
+std::optional<UniformMask> uniform_mask(const std::vector<CellChild>& children) {
     const std::map<std::ptrdiff_t, Rational> all = coefficients(children);
     if (all.empty()) return std::nullopt;
     UniformMask mask{children.size(), all.begin()->first, {}};
     mask.coefficients.resize(static_cast<std::size_t>(all.rbegin()->first - mask.first) + 1);
     for (const auto& [index, weight] : all) mask.coefficients[static_cast<std::size_t>(index - mask.first)] = weight;
     return mask;
+}
+
+std::optional<UniformMask> uniform_mask(const CompiledGrammar& compiled) {
+    if (!compiled.interior()) return std::nullopt;
+    const std::uint32_t start[] = {*compiled.interior()};
+    if (normal_form(compiled.rules(), start).rules.size() != 1) return std::nullopt;
+    return uniform_mask(compiled.rules()[start[0]]);
 }
 
 std::optional<UniformMask> uniform_mask(const PointSystem& system) {

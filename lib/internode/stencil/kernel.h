@@ -43,7 +43,10 @@ using Kernel = void (*)(const CellWork<Scalar>* cells, std::size_t count, std::s
 /// Bytes behind the last parent that must be readable.
 inline constexpr std::size_t padding_bytes = 32;
 
-/// The kernel of rows of `width` >= 2 weights.
+/// The widest rows that a kernel takes: degree 12.
+inline constexpr std::size_t max_row_width = 13;
+
+/// The kernel of rows of `width` weights, 2 … max_row_width; null for others.
 template<typename Scalar>
 [[nodiscard]] Kernel<Scalar> kernel(Isa isa, std::size_t width, std::size_t dimension);
 
