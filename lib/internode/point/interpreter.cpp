@@ -19,17 +19,30 @@ constexpr std::uint64_t largest_told_length = 1'000'000'000'000'000'000;
 /// The draws of interpretation passes are not those of any step.
 constexpr std::uint64_t pass_stream = std::uint64_t{1} << 63U;
 
+/// Which letters are query modules with parameters to be filled.
+std::vector<bool> query_letters(const PointGrammar& grammar) {
+    std::vector<bool> asked;
+    for (std::size_t i = 0; i < grammar.letters.size(); ++i)
+        asked.push_back(grammar.letters.name(to_symbol(i)).starts_with('?') && grammar.arity[i] > 0);
+    return asked;
+}
+
 /// The environment's answers, put into the word.
 std::optional<DerivationProblem> ask(const PointSystem& system, const Query& query, ModuleWord& word) {
     if (!query) return std::nullopt;
+    const std::vector<bool> asked = query_letters(system.grammar());
+    std::vector<double> answer;
     for (std::size_t i = 0; i < word.size(); ++i) {
-        const std::string& name = system.grammar().letters.name(word.letter(i));
-        if (!name.starts_with('?') || word.values(i).empty()) continue;
+        if (!asked[to_index(word.letter(i))]) continue;
         const std::span<double> values = word.values(i);
-        if (!query(word, i, values)) continue;
-        if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
-            return DerivationProblem{
-                {}, fmt::format("the query `{}`, module {}, got a value that is not finite", name, i + 1), ""};
+        answer.assign(values.begin(), values.end());
+        if (!query(word, i, answer)) continue;
+        if (!std::ranges::all_of(answer, [](double value) { return std::isfinite(value); }))
+            return DerivationProblem{{},
+                                     fmt::format("the query `{}`, module {}, got a value that is not finite",
+                                                 system.grammar().letters.name(word.letter(i)), i + 1),
+                                     ""};
+        std::ranges::copy(answer, values.begin());
     }
     return std::nullopt;
 }
@@ -55,11 +68,14 @@ Derivation rewrite_asked(const RewritingTask& task, ModuleWord word, const Deriv
     return made;
 }
 
-Derivation step_of(const PointSystem& system, ModuleWord word, std::uint64_t step, const DeriveOptions& options,
+/// `from`: the word and what has been spent on it.
+Derivation step_of(const PointSystem& system, Derivation from, std::uint64_t step, const DeriveOptions& options,
                    StepRecord* record) {
+    ModuleWord& word = from.word;
     if (system.cycle().empty()) return {std::move(word), std::nullopt, 0};
     const std::uint64_t in_cycle = step % system.cycle().size();
     RewritingTask task{.system = system, .rules = system.grammar().rules};
+    task.spent = from.work;
     task.table = system.cycle()[static_cast<std::size_t>(in_cycle)].value_or(0);
     task.stream = step;
     if (in_cycle == 0 && !word.empty()) {
@@ -71,9 +87,8 @@ Derivation step_of(const PointSystem& system, ModuleWord word, std::uint64_t ste
     return rewrite_asked(task, std::move(word), options, record);
 }
 
-/// What is spent is taken from what may be spent.
-bool follow(Derivation& done, Derivation next, DeriveOptions& options) {
-    options.max_work -= std::min(options.max_work, next.work);
+/// Takes the next word; whether the derivation goes on.
+bool follow(Derivation& done, Derivation next) {
     done.work += next.work;
     done.word = std::move(next.word);
     done.problem = std::move(next.problem);
@@ -98,35 +113,35 @@ std::optional<DerivationProblem> too_long(const PointSystem& system, const Modul
 
 Derivation derive_step(const PointSystem& system, const ModuleWord& word, std::uint64_t step,
                        const DeriveOptions& options) {
-    return step_of(system, word, step, options, nullptr);
+    return step_of(system, {word, std::nullopt, 0}, step, options, nullptr);
 }
 
 Derivation derive_step(const PointSystem& system, const ModuleWord& word, std::uint64_t step,
                        const DeriveOptions& options, StepRecord& record) {
-    return step_of(system, word, step, options, &record);
+    return step_of(system, {word, std::nullopt, 0}, step, options, &record);
 }
 
 Derivation derive(const PointSystem& system, const ModuleWord& word, std::uint64_t cycles,
                   const DeriveOptions& options) {
     Derivation done{word, too_long(system, word, cycles, options.max_modules), 0};
     if (done.problem || system.cycle().empty()) return done;
-    DeriveOptions left = options;
     for (std::uint64_t cycle = 0; cycle < cycles; ++cycle)
         for (std::uint64_t k = 0; k < system.cycle().size(); ++k) {
             const std::uint64_t step = cycle * system.cycle().size() + k;
-            if (!follow(done, step_of(system, std::move(done.word), step, left, nullptr), left)) return done;
+            Derivation from{std::move(done.word), std::nullopt, done.work};
+            if (!follow(done, step_of(system, std::move(from), step, options, nullptr))) return done;
         }
     return done;
 }
 
 Derivation interpret(const PointSystem& system, const ModuleWord& word, const DeriveOptions& options) {
     Derivation done{word, std::nullopt, 0};
-    DeriveOptions left = options;
     for (std::size_t pass = 0; pass < system.grammar().interpretations.size(); ++pass) {
         RewritingTask task{.system = system, .rules = system.grammar().interpretations[pass]};
         task.set = pass + 1;
         task.stream = pass_stream + pass;
-        if (!follow(done, rewrite_asked(task, std::move(done.word), left, nullptr), left)) return done;
+        task.spent = done.work;
+        if (!follow(done, rewrite_asked(task, std::move(done.word), options, nullptr))) return done;
     }
     return done;
 }

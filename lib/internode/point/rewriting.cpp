@@ -35,7 +35,7 @@ public:
         std::size_t i = 0;
         while (i < word_.size() && !problem_) {
             i += rewrite_at(i);
-            if (work() > options_.max_work) refuse_work();
+            if (task_.spent + work() > options_.max_work) refuse_work();
         }
         if (!problem_ && length_ > options_.max_modules) refuse_length();
         return {std::move(result_), std::move(problem_), work()};

@@ -20,7 +20,8 @@ struct RewritingTask {
     std::size_t table = 0;        ///< of that set
     std::uint64_t stream = 0;     ///< of the random draws
     std::uint64_t first_pair = 0; ///< strict predecessors of several modules begin here or later
-    std::uint64_t rotation = 0;   ///< by which the ring was turned, for the record's numbers
+    std::uint64_t rotation = 0;   ///< by which the ring was turned, for the numbers of modules in records and messages
+    std::uint64_t spent = 0;      ///< of options.max_work, by earlier steps
 };
 
 /// The new word, or the old one with the problem. Cost: the word times the letters of the rules.
