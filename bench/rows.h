@@ -33,6 +33,7 @@ struct Row {
 [[nodiscard]] std::vector<Row> curve_rows();
 [[nodiscard]] std::vector<Row> grid_rows();
 [[nodiscard]] std::vector<Row> memory_rows();
+[[nodiscard]] std::vector<Row> point_rows();
 /// Those that compare internode with itself.
 [[nodiscard]] std::vector<Row> own_rows();
 
