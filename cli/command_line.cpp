@@ -29,6 +29,7 @@ CommandReader::CommandReader() {
     add_grammar_commands();
     add_curve_commands();
     add_pyramid_commands();
+    add_infer();
     add_small_commands();
 }
 

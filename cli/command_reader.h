@@ -46,6 +46,7 @@ private:
     void add_grammar_commands();
     void add_curve_commands();
     void add_pyramid_commands();
+    void add_infer();
     void add_small_commands();
     void refuse_leftovers(const CLI::App& app) const;
     [[nodiscard]] std::vector<std::string> known_words(const CLI::App& app) const;
@@ -59,6 +60,7 @@ private:
     SubdivideOptions subdivide_;
     ConvergeOptions converge_;
     ReverseOptions reverse_;
+    InferOptions infer_;
     ComposeOptions compose_;
     WordOptions word_;
     FormatOptions format_;

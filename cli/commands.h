@@ -23,6 +23,7 @@ ExitCode run(const SubdivideOptions& options, const Context& context);
 ExitCode subdivide_grid(const SubdivideOptions& options, const Context& context);
 ExitCode run(const ConvergeOptions& options, const Context& context);
 ExitCode run(const ReverseOptions& options, const Context& context);
+ExitCode run(const InferOptions& options, const Context& context);
 ExitCode run(const ComposeOptions& options, const Context& context);
 ExitCode run(const WordOptions& options, const Context& context);
 ExitCode run(const FormatOptions& options, const Context& context);

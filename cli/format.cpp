@@ -3,12 +3,15 @@
 #include "cli/commands.h"
 #include "cli/load.h"
 #include "cli/output.h"
+#include "internode/grammar/grammar_kind.h"
 #include "internode/grammar/print.h"
+#include "internode/grammar/print_points.h"
 
 namespace internode::cli {
-
 ExitCode run(const FormatOptions& options, const Context&) {
-    write_output(options.output.file, print(load_grammar(options.grammar)));
+    const LoadedText input = load_grammar_text(options.grammar);
+    write_output(options.output.file, kind_of(input.text) == GrammarKind::Points ? print(load_point_grammar(input))
+                                                                                 : print(load_grammar(input)));
     return ExitCode::Success;
 }
 

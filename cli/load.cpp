@@ -5,6 +5,7 @@
 #include "cli/exit_code.h"
 #include "internode/grammar/bundled.h"
 #include "internode/grammar/diagnostic.h"
+#include "internode/grammar/parse_points.h"
 #include "internode/io/input_file.h"
 
 #include <fmt/format.h>
@@ -51,18 +52,20 @@ LoadedText load_grammar_text(const GrammarSource& source) {
     return load_text(source.place);
 }
 
-namespace {
-
-IntervalGrammar parsed_grammar(const LoadedText& input) {
+IntervalGrammar load_grammar(const LoadedText& input) {
     ParsedGrammar parsed = parse_grammar(input.text, input.source);
     if (!parsed.grammar) throw Failure(ExitCode::Refused, to_string(parsed.errors));
     return *std::move(parsed.grammar);
 }
 
-} // namespace
-
 IntervalGrammar load_grammar(const GrammarSource& source) {
-    return parsed_grammar(load_grammar_text(source));
+    return load_grammar(load_grammar_text(source));
+}
+
+PointGrammar load_point_grammar(const LoadedText& input) {
+    ParsedPointGrammar parsed = parse_point_grammar(input.text, input.source);
+    if (!parsed.grammar) throw Failure(ExitCode::Refused, to_string(parsed.errors));
+    return *std::move(parsed.grammar);
 }
 
 IntervalSystem load_system(const GrammarSource& source) {
@@ -70,7 +73,7 @@ IntervalSystem load_system(const GrammarSource& source) {
 }
 
 IntervalSystem load_system(const LoadedText& input, const GrammarSource& source) {
-    const IntervalGrammar grammar = parsed_grammar(input);
+    const IntervalGrammar grammar = load_grammar(input);
     const Verdict verdict = validate(grammar);
     if (verdict.system) return *verdict.system;
     const std::string name = printable(display_name(grammar, source));

@@ -8,6 +8,7 @@
 #include "internode/curve/curve.h"
 #include "internode/grammar/interval_grammar.h"
 #include "internode/grammar/parse.h"
+#include "internode/grammar/point_grammar.h"
 #include "internode/interval/validity.h"
 
 #include <string>
@@ -26,6 +27,9 @@ struct LoadedText {
 
 /// \throw Failure: File when it cannot be read, Refused with all its errors, Usage for an unknown @name
 [[nodiscard]] IntervalGrammar load_grammar(const GrammarSource& source);
+/// The same of a text that was loaded; which kind it is, kind_of(input.text) says.
+[[nodiscard]] IntervalGrammar load_grammar(const LoadedText& input);
+[[nodiscard]] PointGrammar load_point_grammar(const LoadedText& input);
 
 /// A grammar that must be valid, exactly. \throw Failure as load_grammar; Refused with the verdict's reasons
 [[nodiscard]] IntervalSystem load_system(const GrammarSource& source);

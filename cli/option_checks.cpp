@@ -27,6 +27,14 @@ std::optional<std::uint64_t> whole_number(const std::string& text) {
     return value;
 }
 
+std::optional<std::int64_t> integer(const std::string& text) {
+    std::int64_t value = 0;
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, value);
+    if (read.ec != std::errc() || read.ptr != end) return std::nullopt;
+    return value;
+}
+
 std::vector<int> degrees(std::string_view text) {
     std::vector<int> result;
     for (std::size_t begin = 0; begin <= text.size();) {
@@ -41,6 +49,10 @@ std::vector<int> degrees(std::string_view text) {
 
 std::string whole_number_problem(const std::string& text) {
     return whole_number(text) ? std::string() : fmt::format("`{}` is not a whole number from 0 to 2^64 - 1", text);
+}
+
+std::string integer_problem(const std::string& text) {
+    return integer(text) ? std::string() : fmt::format("`{}` is not an integer within 64 bits", text);
 }
 
 std::string empty_word_problem(const std::string& text) {

@@ -17,10 +17,14 @@ namespace internode::cli {
 /// The number of a text that is digits and nothing else, within 64 bits.
 [[nodiscard]] std::optional<std::uint64_t> whole_number(const std::string& text);
 
+/// The same with `-` before it where it is negative.
+[[nodiscard]] std::optional<std::int64_t> integer(const std::string& text);
+
 /// One degree of a B-spline, or two with a comma between them; nothing for any other text.
 [[nodiscard]] std::vector<int> degrees(std::string_view text);
 
 [[nodiscard]] std::string whole_number_problem(const std::string& text);
+[[nodiscard]] std::string integer_problem(const std::string& text);
 [[nodiscard]] std::string positive_number(const std::string& text);
 [[nodiscard]] std::string empty_word_problem(const std::string& text);
 

@@ -138,6 +138,15 @@ struct ReverseOptions {
     std::string picture;    ///< a file for the picture of all levels; empty = none
 };
 
+struct InferOptions {
+    std::string matrix; ///< CSV of fractions or MatrixMarket, `-` for stdin
+    OutputTarget output;
+    std::optional<std::int64_t> shift; ///< none: the recommended one
+    bool open = false;
+    bool long_form = false; ///< of an open curve: rules that need no order
+    std::string name;       ///< of the grammar; empty = that of the file
+};
+
 struct ComposeOptions {
     std::string pyramid; ///< a file of format "internode-pyramid", `-` for stdin
     OutputTarget output;
@@ -170,8 +179,8 @@ struct HelpRequest {
     std::string text;
 };
 
-using Request =
-    std::variant<ValidateOptions, MasksOptions, SubdivideOptions, ConvergeOptions, ReverseOptions, ComposeOptions,
-                 WordOptions, FormatOptions, GrammarsOptions, LimitsOptions, VersionOptions, HelpRequest>;
+using Request = std::variant<ValidateOptions, MasksOptions, SubdivideOptions, ConvergeOptions, ReverseOptions,
+                             InferOptions, ComposeOptions, WordOptions, FormatOptions, GrammarsOptions, LimitsOptions,
+                             VersionOptions, HelpRequest>;
 
 } // namespace internode::cli

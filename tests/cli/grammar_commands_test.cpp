@@ -178,6 +178,18 @@ TEST(Format, IsANormalFormThatReadsBack) {
     EXPECT_EQ(once.out, twice.out);
 }
 
+TEST(Format, TakesPointGrammarsToo) {
+    const Workspace here;
+    const Outcome once = here.run({"format", "@s0/13"});
+    ASSERT_EQ(once.code, 0) << once.err;
+    EXPECT_EQ(once.out, "points \"s0/13\"\nring\n"
+                        "P(v_l) < P(v) > P(v_r) -> P(1/4 v_l + 3/4 v) P(3/4 v + 1/4 v_r)\n");
+    EXPECT_EQ(here.run({"format", "-"}, once.out).out, once.out);
+    const Outcome wrong = here.run({"format", "-e", "points x; P(v) -> P(u)"});
+    EXPECT_EQ(wrong.code, 3);
+    EXPECT_THAT(wrong.err, HasSubstr("<expression>:1:21: error: `u` is no parameter and no constant"));
+}
+
 TEST(GrammarsCommand, ListsEveryBundledGrammarAndPrintsEach) {
     const Workspace here;
     const Outcome list = here.run({"grammars"});

@@ -106,7 +106,7 @@ double loosest_envelope(const IntervalSystem& system, int degree) {
 }
 
 TEST(Convergence, TheEnvelopeIsCloseFromTheThirdStepOn) {
-    for (const BundledGrammar& bundled : bundled_grammars()) {
+    for (const BundledGrammar& bundled : bundled_grammars(GrammarKind::Intervals)) {
         const Verdict verdict = validate(*parse_grammar(bundled.text, bundled.name).grammar);
         if (!verdict.system) continue;
         for (int degree = 2; degree <= 4; ++degree) {

@@ -3,6 +3,7 @@
 #include "internode/grammar/bundled.h"
 
 #include "internode/grammar/parse.h"
+#include "internode/grammar/parse_points.h"
 
 #include <gmock/gmock.h>
 
@@ -58,11 +59,22 @@ std::vector<long> characteristic_polynomial(const IntervalGrammar& grammar) {
 } // namespace
 
 TEST(Bundled, EveryTextNamesItsSourceAndItself) {
-    ASSERT_GE(bundled_grammars().size(), 19u);
-    for (const BundledGrammar& grammar : bundled_grammars()) {
+    ASSERT_GE(bundled_grammars(GrammarKind::Intervals).size(), 19u);
+    for (const BundledGrammar& grammar : bundled_grammars(GrammarKind::Intervals)) {
         EXPECT_TRUE(grammar.text.starts_with("// source: ")) << grammar.name;
         EXPECT_EQ(bundled(grammar.name).name, grammar.name);
         EXPECT_EQ(bundled(grammar.name).axiom, std::nullopt) << "the papers print none";
+    }
+}
+
+TEST(Bundled, EveryPointGrammarNamesItsSourceAndItself) {
+    ASSERT_GE(bundled_grammars(GrammarKind::Points).size(), 20u);
+    for (const BundledGrammar& grammar : bundled_grammars(GrammarKind::Points)) {
+        EXPECT_TRUE(grammar.text.starts_with("// source: ")) << grammar.name;
+        EXPECT_EQ(kind_of(grammar.text), GrammarKind::Points) << grammar.name;
+        const ParsedPointGrammar parsed = parse_point_grammar(grammar.text, grammar.name);
+        ASSERT_TRUE(parsed.grammar) << to_string(parsed.errors);
+        EXPECT_EQ(parsed.grammar->name, grammar.name);
     }
 }
 
@@ -70,6 +82,7 @@ TEST(Bundled, NamesAreSortedAndFound) {
     EXPECT_TRUE(std::ranges::is_sorted(bundled_grammars(), {}, &BundledGrammar::name));
     EXPECT_EQ(find_bundled_grammar("fibonaci"), nullptr);
     EXPECT_EQ(find_bundled_grammar(""), nullptr);
+    EXPECT_NE(find_bundled_grammar("s0/13"), nullptr);
 }
 
 TEST(Bundled, TheSystemsOfThePaperAreAsPrinted) {

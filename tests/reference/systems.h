@@ -36,7 +36,7 @@ inline Word word_of(const IntervalSystem& system, std::string_view letters) {
 /// The valid ones of the grammars that come with the library, by name.
 inline std::vector<std::pair<std::string, IntervalSystem>> bundled_systems() {
     std::vector<std::pair<std::string, IntervalSystem>> systems;
-    for (const BundledGrammar& bundled : bundled_grammars()) {
+    for (const BundledGrammar& bundled : bundled_grammars(GrammarKind::Intervals)) {
         const ParsedGrammar parsed = parse_grammar(bundled.text, bundled.name);
         if (!parsed.grammar) throw std::invalid_argument("not a grammar: " + std::string(bundled.name));
         const Verdict verdict = validate(*parsed.grammar);

@@ -4,6 +4,9 @@
 
 #include "internode/grammar/limits.h"
 
+#include <optional>
+#include <unordered_map>
+
 #include <fmt/format.h>
 
 namespace internode {
@@ -16,24 +19,40 @@ std::string parameters_of(std::size_t count) {
 
 } // namespace
 
-Symbol LetterTable::use(std::string_view name, std::size_t parameters, Complaints::Place place) {
-    if (const auto known = letters_.find(name)) {
-        const std::size_t arity = arity_[to_index(*known)];
-        if (arity != parameters)
-            complaints_.add(place,
-                            fmt::format("{} has {} here and {} in line {}", quoted(name), parameters_of(parameters),
-                                        parameters_of(arity), complaints_.line_of(offset_[to_index(*known)])),
-                            "a letter has as many parameters everywhere; give the other module another letter");
-        return *known;
-    }
-    if (letters_.size() >= max_point_letters) {
+Symbol LetterTable::use(std::string_view name, std::size_t parameters, Use use, Complaints::Place place) {
+    const std::optional<Symbol> plain = letters_.find(name);
+    const bool is_other = plain && arity_[to_index(*plain)] != parameters;
+    const std::string key = is_other ? fmt::format("{}/{}", name, parameters) : std::string(name);
+    std::optional<Symbol> symbol = is_other ? letters_.find(key) : plain;
+    if (!symbol && letters_.size() >= max_point_letters) {
         if (!full_) complaints_.add(place, fmt::format("more than {} letters", max_point_letters));
         full_ = true;
         return to_symbol(0);
     }
-    arity_.push_back(static_cast<std::uint32_t>(parameters));
-    offset_.push_back(place.offset);
-    return letters_.add(name);
+    if (!symbol) {
+        symbol = letters_.add(key);
+        arity_.push_back(static_cast<std::uint32_t>(parameters));
+        origins_.push_back({place, false, name});
+    }
+    Origin& origin = origins_[to_index(*symbol)];
+    origin.made = origin.made || use == Use::Made;
+    return *symbol;
+}
+
+void LetterTable::finish() {
+    std::unordered_map<std::string_view, std::size_t> made; // by letter, the first symbol of it
+    for (std::size_t i = 0; i < origins_.size(); ++i)
+        if (origins_[i].made) made.try_emplace(origins_[i].name, i);
+    for (std::size_t i = 0; i < origins_.size(); ++i) {
+        const auto other = made.find(origins_[i].name);
+        if (origins_[i].made || other == made.end()) continue;
+        const Origin& maker = origins_[other->second];
+        complaints_.add(origins_[i].place,
+                        fmt::format("{} has {} here, but {} where it is made, as in line {}", quoted(maker.name),
+                                    parameters_of(arity_[i]), parameters_of(arity_[other->second]),
+                                    complaints_.line_of(maker.place.offset)),
+                        "a module matches one with the same letter and as many parameters");
+    }
 }
 
 } // namespace internode

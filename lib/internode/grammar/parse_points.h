@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// From text to point grammar, and which kind a text is. docs/language.md describes the language; all errors of a text
+// From text to point grammar. docs/language.md describes the language; all errors of a text
 // come in one run.
 
 #pragma once
 
 #include "internode/grammar/diagnostic.h"
-#include "internode/grammar/parse.h"
+#include "internode/grammar/grammar_kind.h"
 #include "internode/grammar/point_grammar.h"
 
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 namespace internode {
@@ -25,11 +24,6 @@ struct ParsedPointGrammar {
 /// Reads a whole text whose first statement is `points`. Never throws on any text (but std::bad_alloc). Cost: linear in
 /// the text. Limits: grammar/limits.h.
 [[nodiscard]] ParsedPointGrammar parse_point_grammar(std::string_view text, std::string_view source);
-
-enum class GrammarKind { Intervals, Points };
-
-/// The kind that the first statement names: Points for `points`, Intervals for everything else, errors included.
-[[nodiscard]] GrammarKind kind_of(std::string_view text);
 
 /// A diagnostic about a place of a grammar that has been read: with its line, column and source line.
 [[nodiscard]] Diagnostic diagnostic_at(std::string_view text, std::string_view source, const SourcePlace& place,

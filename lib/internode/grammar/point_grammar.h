@@ -6,8 +6,9 @@
 //
 //     label : left < predecessor > right : condition -> successor : weight
 //
-// A module is a letter with parameters; every letter has one number of parameters in the whole grammar. `#`, `[` and
-// `]` are letters without parameters; the name of a query module begins with `?`.
+// A module is a letter with parameters. `#`, `[` and `]` are letters without parameters; the name of a query module
+// begins with `?`. Modules match when letters and numbers of parameters agree, and S1 (2) has both B(x, y) and B(x):
+// such a letter is several symbols, each with one number of parameters; `B/1` is the name of the second.
 
 #pragma once
 
@@ -17,6 +18,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace internode {
@@ -77,7 +79,7 @@ struct CycleItem {
 struct PointGrammar {
     std::string name; ///< without control characters; empty when the text gives none
     bool ring = false;
-    Alphabet letters;                                    ///< in the order of their first appearance
+    Alphabet letters;                                    ///< in the order of their first appearance in the normal form
     std::vector<std::uint32_t> arity;                    ///< parameters of each letter
     std::vector<Definition> definitions;                 ///< in the order of the text
     std::vector<std::string> tables;                     ///< in the order of the text
@@ -88,6 +90,16 @@ struct PointGrammar {
     std::optional<std::vector<ModuleTemplate>> axiom;
     friend bool operator==(const PointGrammar&, const PointGrammar&) = default;
 };
+
+/// A letter as the text has it: its name without `/1`.
+[[nodiscard]] inline std::string_view letter_text(const PointGrammar& grammar, Symbol letter) {
+    const std::string_view name = grammar.letters.name(letter);
+    return name.substr(0, name.find('/'));
+}
+
+/// The symbol of a letter with so many parameters.
+[[nodiscard]] std::optional<Symbol> find_letter(const PointGrammar& grammar, std::string_view text,
+                                                std::size_t parameters);
 
 /// The reserved letters, where the grammar uses them.
 [[nodiscard]] inline std::optional<Symbol> end_marker(const PointGrammar& grammar) {

@@ -127,7 +127,8 @@ private:
         RawModules read = read_modules(tokens, ModulePlace::Pattern, context_.text, context_.complaints);
         if (read.damaged) scope_.accept(UnknownNames::AreFormals);
         for (RawModule& module : read.modules) {
-            letters.push_back(context_.letters.use(module.letter, module.parameters.size(), module.place));
+            letters.push_back(
+                context_.letters.use(module.letter, module.parameters.size(), LetterTable::Use::Asked, module.place));
             for (const Tokens parameter : module.parameters) read_formal(parameter);
             read_.push_back(std::move(module));
         }

@@ -26,7 +26,7 @@ std::string print_pattern(std::span<const Symbol> letters, FormalNames& formals,
     std::string text;
     for (const Symbol letter : letters) {
         if (!text.empty()) text += ' ';
-        text += grammar.letters.name(letter);
+        text += letter_text(grammar, letter);
         const std::size_t arity = grammar.arity[to_index(letter)];
         for (std::size_t i = 0; i < arity; ++i) text += (i == 0 ? "(" : ", ") + formals.next();
         if (arity > 0) text += ')';
@@ -39,7 +39,7 @@ std::string print_modules(std::span<const ModuleTemplate> modules, std::span<con
     std::string text;
     for (const ModuleTemplate& module : modules) {
         if (!text.empty()) text += ' ';
-        text += grammar.letters.name(module.letter);
+        text += letter_text(grammar, module.letter);
         const char* before = "(";
         for (const Expression& argument : module.arguments) {
             text += before + print(argument, formals, grammar);
@@ -54,7 +54,7 @@ std::string print_modules(std::span<const ModuleTemplate> modules, std::span<con
 bool hides_its_condition(const PointRule& rule, const PointGrammar& grammar) {
     if (!rule.label.empty() || !rule.left.empty() || !rule.right.empty() || rule.predecessor.size() != 1) return false;
     const Symbol letter = rule.predecessor.front();
-    const std::string& name = grammar.letters.name(letter);
+    const std::string_view name = letter_text(grammar, letter);
     return grammar.arity[to_index(letter)] == 0 && name != "#" && name.front() != '?';
 }
 

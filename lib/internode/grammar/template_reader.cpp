@@ -32,7 +32,7 @@ bool may_repeat(const RawModule& raw, std::size_t instructions, PointContext& co
 
 ModuleTemplate read_template(const RawModule& raw, NameScope& scope, PointContext& context) {
     ModuleTemplate result;
-    result.letter = context.letters.use(raw.letter, raw.parameters.size(), raw.place);
+    result.letter = context.letters.use(raw.letter, raw.parameters.size(), LetterTable::Use::Made, raw.place);
     result.place = {raw.place.offset, raw.place.bytes};
     ExpressionContext expressions = context.expressions(scope);
     for (const std::span<const Token> parameter : raw.parameters)

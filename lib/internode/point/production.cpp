@@ -34,16 +34,15 @@ std::vector<std::string> formals_of(const PointProduction& production) {
     return formals;
 }
 
-/// Appends `weight formal`, the weight left out when it is 1 and not negative.
+/// Appends `weight formal`, without the weight when it is 1 or -1.
 void append_term(Expression& sum, const Rational& weight, std::uint32_t formal) {
-    if (weight == 1) {
-        sum.code.push_back({Operation::Formal, formal});
-        return;
+    if (abs(weight) != 1) {
+        sum.code.push_back({Operation::Number, static_cast<std::uint32_t>(sum.numbers.size())});
+        sum.numbers.push_back(weight);
     }
-    sum.code.push_back({Operation::Number, static_cast<std::uint32_t>(sum.numbers.size())});
-    sum.numbers.push_back(weight);
     sum.code.push_back({Operation::Formal, formal});
-    sum.code.push_back({Operation::Multiply, 0});
+    if (abs(weight) != 1) sum.code.push_back({Operation::Multiply, 0});
+    if (weight == -1) sum.code.push_back({Operation::Negate, 0});
 }
 
 /// Σ weight formal, as the language reads it: `-1/16 v_l + 9/16 v - 1/16 v_r`. An empty sum is `0 v`.
@@ -55,8 +54,7 @@ Expression sum_of(const PointStencil& stencil, std::size_t left, std::size_t for
         if (formal < 0 || formal >= static_cast<std::ptrdiff_t>(formals))
             throw std::invalid_argument("to_grammar: a stencil reaches beyond the contexts of its production");
         const bool first = sum.code.empty();
-        append_term(sum, abs(term.weight), static_cast<std::uint32_t>(formal));
-        if (first && term.weight < 0) sum.code.push_back({Operation::Negate, 0});
+        append_term(sum, first ? term.weight : Rational(abs(term.weight)), static_cast<std::uint32_t>(formal));
         if (!first) sum.code.push_back({term.weight < 0 ? Operation::Subtract : Operation::Add, 0});
     }
     return sum;
