@@ -69,6 +69,24 @@ public:
     /// `points`: of the input; 0 for the axiom.
     void derive_from(ModuleWord word, std::size_t points) {
         points_ = points;
+        multiplied_ = false;
+        left_inside_ = false;
+        run(std::move(word));
+        if (left_inside_)
+            coverage_.incomplete.push_back(points);
+        else if (multiplied_)
+            coverage_.complete.push_back(points);
+    }
+
+    [[nodiscard]] Coverage take() {
+        for (std::uint32_t rule = 0; rule < used_.size(); ++rule)
+            if (!used_[rule]) coverage_.unused.push_back(rule);
+        coverage_.ends_complete = !coverage_.complete.empty() || coverage_.incomplete.empty();
+        return std::move(coverage_);
+    }
+
+private:
+    void run(ModuleWord word) {
         DeriveOptions options;
         options.max_modules = max_explored_modules;
         const auto cycle = system_.cycle();
@@ -80,23 +98,22 @@ public:
             look_at(word, cycle[step_ % cycle.size()]);
             StepRecord record;
             Derivation next = derive_step(system_, word, step_, options, record);
-            for (const auto& rule : record.rule)
-                if (rule) used_[*rule] = true;
+            note_rules(record);
             if (next.problem) return ends_with(*next.problem);
             word = std::move(next.word);
         }
     }
 
-    [[nodiscard]] Coverage take() {
-        for (std::uint32_t rule = 0; rule < used_.size(); ++rule)
-            if (!used_[rule]) coverage_.unused.push_back(rule);
-        for (const StayingContext& context : coverage_.staying)
-            if (!context.outermost && (context.largest == coverage_.points || context.largest == 0))
-                coverage_.ends_complete = false;
-        return std::move(coverage_);
+    /// A rule without a successor leaves no module that could tell of it: covered_modules notes where it fits.
+    void note_rules(const StepRecord& record) {
+        for (const auto& rule : record.rule) {
+            if (!rule) continue;
+            used_[*rule] = true;
+            const PointRule& applied = system_.grammar().rules[*rule];
+            multiplied_ = multiplied_ || applied.successor.size() > applied.predecessor.size();
+        }
     }
 
-private:
     void ends_with(const DerivationProblem& problem) {
         const bool too_long = problem.place.bytes == 0; // no rule is at fault: the word outgrew the exploration
         if (coverage_.problem || too_long) return;
@@ -131,8 +148,9 @@ private:
             for (const std::uint32_t index : system_.rules_of(table)) {
                 const PointRule& rule = system_.grammar().rules[index];
                 if (rule.predecessor.front() != shape.letter(i)) continue;
-                if (covered[i] && rule.predecessor.size() == 1) continue;
+                if (covered[i] && rule.predecessor.size() == 1 && !rule.successor.empty()) continue;
                 if (!shape.fits(rule, i, modules)) continue;
+                if (rule.successor.empty()) used_[index] = true;
                 for (std::size_t k = 0; k < rule.predecessor.size(); ++k) covered[modules[rule.left.size() + k]] = true;
             }
         return covered;
@@ -159,6 +177,7 @@ private:
     }
 
     void add(StayingContext context) {
+        left_inside_ = left_inside_ || !context.outermost;
         const auto same = std::ranges::find_if(coverage_.staying, [&](const StayingContext& known) {
             return known.table == context.table && known.letter == context.letter && known.left == context.left &&
                    known.right == context.right && known.outermost == context.outermost;
@@ -175,6 +194,8 @@ private:
     std::size_t points_ = 0;
     std::uint64_t step_ = 0;
     std::uint64_t work_ = 0;
+    bool multiplied_ = false;  ///< in the derivation that is being looked at
+    bool left_inside_ = false; ///< a point that stays inside a word
     Coverage coverage_;
 };
 

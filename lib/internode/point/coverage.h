@@ -35,7 +35,11 @@ struct Coverage {
     std::uint64_t cycles = 0;            ///< at most so many each
     std::vector<StayingContext> staying; ///< in the order in which they were found, at most 100
     std::vector<std::uint32_t> unused;   ///< rules that were never applied
-    /// Every staying module is an end of an open axis, or occurs in short words only.
+    /// Numbers of input points (0: the axiom) from which no point inside the word stays, while others multiply.
+    std::vector<std::size_t> complete;
+    std::vector<std::size_t> incomplete; ///< from which one does
+    /// Nothing stays inside the word for some number of points, or nothing multiplies at all: a grammar for polygons of
+    /// three points need not know what to do with four.
     bool ends_complete = true;
     std::optional<DerivationProblem> problem; ///< the first that ended a derivation early
     std::size_t problem_points = 0;           ///< its number of input points; 0: the axiom

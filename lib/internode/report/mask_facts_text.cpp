@@ -20,19 +20,22 @@ std::string mask_text(const UniformMask& mask) {
     return text + "  at " + std::to_string(mask.first) + " ... " + std::to_string(last);
 }
 
-std::string degree_text(const MaskFacts& facts) {
-    const MaskProperties& properties = facts.properties;
-    std::string text = properties.generation_degree
-                           ? "polynomials up to degree " + std::to_string(*properties.generation_degree)
-                           : "no polynomials, not even constants";
-    return text;
+std::string degree_text(std::size_t degree) {
+    return degree == 0 ? "constants" : "polynomials up to degree " + std::to_string(degree);
+}
+
+/// "k/2", "(k + 1/2)/2": where the new point k stands when old points stand at the whole numbers.
+std::string parameter_text(const Rational& shift, std::size_t arity) {
+    const std::string below = "/" + std::to_string(arity);
+    if (shift == 0) return "k" + below;
+    return "(k " + std::string(shift < 0 ? "+ " : "- ") + to_string(Rational(abs(shift))) + ")" + below;
 }
 
 std::string reproduction_text(const MaskFacts& facts) {
     const MaskProperties& properties = facts.properties;
-    if (!properties.reproduction_degree) return "no polynomials, not even constants";
-    return "polynomials up to degree " + std::to_string(*properties.reproduction_degree) + ", new point k at (k - " +
-           to_string(properties.shift) + ")/" + std::to_string(facts.mask.arity);
+    if (!properties.reproduction_degree) return "nothing, not even constants";
+    return degree_text(*properties.reproduction_degree) + ", with new point k at " +
+           parameter_text(properties.shift, facts.mask.arity);
 }
 
 std::string symmetry_text(MaskSymmetry symmetry) {
@@ -53,10 +56,6 @@ std::string names_text(const std::vector<KnownScheme>& known) {
     return text.empty() ? "none of those that internode knows" : text;
 }
 
-std::string exponent(double value) {
-    return rounded(value);
-}
-
 } // namespace
 
 std::string convergence_text(const Smoothness& smoothness) {
@@ -73,17 +72,17 @@ std::string convergence_text(const Smoothness& smoothness) {
 
 std::string smoothness_text(const Smoothness& smoothness) {
     std::string text;
-    if (smoothness.derivatives) text = "C^" + std::to_string(*smoothness.derivatives) + " proved";
-    if (smoothness.holder_lower && smoothness.holder_upper && *smoothness.holder_lower == *smoothness.holder_upper) {
-        text += "; Hoelder exponent " + exponent(*smoothness.holder_lower);
-        return text + (smoothness.upper_is_proved ? " exactly" : ", no larger if the translates are stable");
-    }
-    if (smoothness.holder_lower)
-        text += "; Hoelder exponent at least " + exponent(*smoothness.holder_lower) + " (proved)";
-    if (smoothness.holder_upper)
-        text += std::string(text.empty() ? "" : "; ") + "Hoelder exponent at most " +
-                exponent(*smoothness.holder_upper) +
-                (smoothness.upper_is_proved ? " (proved)" : " (if the translates are stable)");
+    if (smoothness.derivatives) text = "C^" + std::to_string(*smoothness.derivatives) + " (proved)";
+    const std::string lower = smoothness.holder_lower ? rounded(*smoothness.holder_lower) : "";
+    const std::string upper = smoothness.holder_upper ? rounded(*smoothness.holder_upper) : "";
+    const std::string between = text.empty() ? "Hölder exponent " : "; Hölder exponent ";
+    const std::string trust = smoothness.upper_is_proved ? "(proved)" : "(if the translates of the limit are stable)";
+    if (!lower.empty() && lower == upper)
+        return text + between + lower +
+               (smoothness.upper_is_proved ? " (proved)"
+                                           : " (proved; no larger if the translates of the limit are stable)");
+    if (!lower.empty()) text += between + "at least " + lower + " (proved)";
+    if (!upper.empty()) text += (lower.empty() ? between : ", ") + std::string("at most ") + upper + " " + trust;
     return text.empty() ? "nothing proved" : text;
 }
 
@@ -94,7 +93,8 @@ std::string mask_facts_text(const MaskFacts& facts) {
     text += labelled("arity", std::to_string(facts.mask.arity));
     text += labelled("support", "[" + to_string(properties.support_first) + ", " + to_string(properties.support_last) +
                                     "] of the limit of the unit impulse");
-    text += labelled("generates", degree_text(facts));
+    text += labelled("generates", properties.generation_degree ? degree_text(*properties.generation_degree)
+                                                               : "nothing, not even constants");
     text += labelled("reproduces", reproduction_text(facts));
     text += labelled("interpolates", properties.interpolatory ? "yes: every old point stays" : "no");
     text += labelled("symmetric", symmetry_text(properties.symmetry));

@@ -109,6 +109,8 @@ public:
         json_.key("unused_rules").begin_array(line);
         for (const std::uint32_t rule : coverage->unused) json_.integer(rule);
         json_.end_array();
+        counts("complete", coverage->complete);
+        counts("incomplete", coverage->incomplete);
         json_.key("ends_complete").boolean(coverage->ends_complete);
         json_.key("problem");
         if (coverage->problem) {
@@ -186,6 +188,12 @@ private:
         text("sum", finding.sum);
         text("reason", finding.reason);
         json_.end_object();
+    }
+
+    void counts(std::string_view key, const std::vector<std::size_t>& counts) {
+        json_.key(key).begin_array(line);
+        for (const std::size_t count : counts) json_.integer(count);
+        json_.end_array();
     }
 
     void staying(const StayingContext& context) {

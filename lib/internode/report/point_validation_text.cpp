@@ -66,6 +66,7 @@ std::string affine_text(const PointValidation& validation) {
     const auto count = [&](AffineVerdict verdict) {
         return static_cast<std::size_t>(std::ranges::count(validation.affine, verdict, &AffineFinding::verdict));
     };
+    if (validation.affine.empty()) return "none: no module has a point";
     std::string text = plural(count(AffineVerdict::Affine), "combination") + " of points with sum 1";
     if (const auto some = count(AffineVerdict::AffineForTheseConstants))
         text += "; " + std::to_string(some) + " for these values of the constants only";
@@ -83,6 +84,20 @@ std::string explored_text(const Coverage& coverage) {
     return " (seen in " + cycles + " from 1 to " + std::to_string(coverage.points) + " points)";
 }
 
+std::string numbers_text(const std::vector<std::size_t>& numbers) {
+    std::string text;
+    for (const std::size_t number : numbers) text += (text.empty() ? "" : ", ") + std::to_string(number);
+    return text;
+}
+
+std::string ends_text(const Coverage& coverage, const PointGrammar& grammar) {
+    if (!coverage.ends_complete) return "not complete";
+    if (grammar.ring && coverage.incomplete.empty()) return "none, a ring";
+    if (coverage.incomplete.empty()) return "complete";
+    return "complete for polygons of " + numbers_text(coverage.complete) + " points, not of " +
+           numbers_text(coverage.incomplete);
+}
+
 std::string coverage_text(const Coverage& coverage, const PointGrammar& grammar) {
     const bool staying = !coverage.staying.empty();
     std::string text = labelled("coverage", std::string(staying ? "some points stay, where no rule fits"
@@ -92,7 +107,7 @@ std::string coverage_text(const Coverage& coverage, const PointGrammar& grammar)
         text += labelled("", staying_text(coverage.staying[i], grammar));
     if (coverage.staying.size() > listed_contexts)
         text += labelled("", "and " + std::to_string(coverage.staying.size() - listed_contexts) + " more contexts");
-    if (!grammar.ring) text += labelled("ends", coverage.ends_complete ? "complete" : "not complete");
+    text += labelled("ends", ends_text(coverage, grammar));
     for (const std::uint32_t rule : coverage.unused)
         text += labelled("never applied", print(grammar.rules[rule], grammar));
     if (coverage.problem)
@@ -180,7 +195,10 @@ std::string point_validation_text(const PointValidation& validation, const Point
             text += labelled("", place_text(grammar, finding.where) + ": " + finding_text(finding));
     text += coverage_text(*validation.coverage, grammar);
     if (validation.compilation) text += compilation_text(*validation.compilation, source);
-    if (validation.mask) text += "\n" + mask_facts_text(*validation.mask);
+    if (validation.mask)
+        text += "\n" + mask_facts_text(*validation.mask);
+    else if (validation.compilation && validation.compilation->compiles)
+        text += labelled("mask", "none: far from all ends the rules do not treat all points alike");
     if (validation.compilation && validation.compilation->twin)
         text += labelled("intervals", twin_text(*validation.compilation->twin));
     return text;
