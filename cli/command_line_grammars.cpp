@@ -11,8 +11,10 @@ void CommandReader::add_grammar_commands() {
     CLI::App* validate =
         add("validate",
             with_examples("Decide, exactly, whether a grammar is a valid interval subdivision descriptor:\n"
-                          "verdict, ratio, lengths, frequencies, classes, reasons. Exit 1 when it is not valid.",
-                          "validate @fibonacci", "validate -e 'L->SL, S->L' --json"));
+                          "verdict, ratio, lengths, frequencies, classes, reasons. Of a point grammar: whether its\n"
+                          "points are affine combinations, ends, mask, symbol, degrees, known schemes, smoothness.\n"
+                          "Exit 1 when it is not valid.",
+                          "validate @fibonacci", "validate @four-point --json"));
     add_grammar(validate, validate_.grammar, false);
     add_output(validate, validate_.output, {"text", "json"});
     commands_.push_back({validate, [this] { return Request(validate_); }});

@@ -322,6 +322,84 @@ def check_validation(document):
     require(document["free_lengths"] == sum(c["final"] for c in document["classes"]), "free lengths are final classes")
 
 
+# --- validation of point grammars ------------------------------------------------------------------------------------
+
+SOUND = ("affine", "affine-for-these-constants", "mixes-coordinates")
+
+
+def rational(number):
+    """An exact rational number and its double."""
+    (text,) = number["exact"]
+    require(float(Fraction(text)) == number["value"], f"{text} is not {number['value']}")
+    return Fraction(text)
+
+
+def refined(mask, k, function):
+    """p'(k) = sum of a(k - m j) p(j), p(j) = function(j)."""
+    arity, first, weights = mask
+    total = Fraction(0)
+    for i, weight in enumerate(weights):
+        if (k - first - i) % arity == 0:
+            total += weight * function(Fraction((k - first - i) // arity))
+    return total
+
+
+def reproduces(mask, degree, shift):
+    """Whether samples of x^degree at whole numbers give samples at (k - shift)/m."""
+    arity = mask[0]
+    return all(
+        refined(mask, k, lambda x: x**degree) == ((k - shift) / arity) ** degree for k in range(3 * arity)
+    )
+
+
+def check_mask_facts(facts):
+    arity, first = facts["arity"], facts["first"]
+    weights = [rational(number) for number in facts["weights"]]
+    product = [rational(number) for number in facts["quotient"]]
+    for _ in range(facts["factor_power"]):
+        longer = [Fraction(0)] * (len(product) + arity - 1)
+        for i, value in enumerate(product):
+            for r in range(arity):
+                longer[i + r] += value
+        product = longer
+    require(product == weights, "quotient times factors is not the mask")
+    sums = [sum((w for i, w in enumerate(weights) if (first + i) % arity == r), Fraction(0)) for r in range(arity)]
+    require(sums == [rational(number) for number in facts["sums"]], "sums of the residue classes")
+    shift, degree = rational(facts["shift"]), facts["reproduction_degree"]
+    mask = (arity, first, weights)
+    for d in range(0 if degree is None else degree + 1):
+        require(reproduces(mask, d, shift), f"degree {d} is not reproduced")
+    if degree is not None and degree < facts["generation_degree"]:
+        require(not reproduces(mask, degree + 1, shift), f"degree {degree + 1} is reproduced")
+    ends = [Fraction(first, arity - 1), Fraction(first + len(weights) - 1, arity - 1)]
+    require([rational(number) for number in facts["support"]] == ends, "support")
+    smoothness = facts["smoothness"]
+    if smoothness and smoothness["hoelder"]["lower"] is not None and smoothness["hoelder"]["upper"] is not None:
+        require(smoothness["hoelder"]["lower"] <= smoothness["hoelder"]["upper"], "bounds in the wrong order")
+    for scheme in smoothness["differences"] if smoothness else ():
+        require(sum(rational(number) for number in scheme["weights"]) == 1, "a difference scheme does not sum to 1")
+        require(scheme["radius"]["lower"] <= scheme["radius"]["upper"], "radii in the wrong order")
+
+
+def check_point_validation(document):
+    rules = document["grammar"]["rules"]
+    for position in document["positions"]:
+        require(position["part"] != "rule" or position["rule"] < len(rules), "a rule that does not exist")
+        if position["verdict"] == "affine":
+            require(position["sum"] == "1", "affine, and the sum is not 1")
+        if position["verdict"] == "sum-is-not-one":
+            require(position["sum"] != "1", "the sum is 1, and is said not to be")
+    sound = all(position["verdict"] in SOUND for position in document["positions"])
+    coverage = document["coverage"]
+    complete = coverage is not None and coverage["ends_complete"]
+    require(document["valid"] == (sound and complete and not document["problems"]), "the verdict does not follow")
+    compilation = document["compilation"]
+    if compilation:
+        require(compilation["compiles"] == (not compilation["reasons"]), "reasons and verdict of the compiler disagree")
+    if document["mask"]:
+        check_mask_facts(document["mask"])
+
+
 # --- masks -----------------------------------------------------------------------------------------------------------
 
 
@@ -748,6 +826,7 @@ def check_composed(document, fine):
 
 CHECKS = {
     "internode-validation": ("validation", check_validation),
+    "internode-point-validation": ("point-validation", check_point_validation),
     "internode-masks": ("masks", check_masks),
     "internode-automaton": ("automaton", check_automaton),
     "internode-convergence": ("convergence", check_convergence),

@@ -218,11 +218,12 @@ void bound_by_centre(const ScaledMask& b, std::size_t arity, JointRadius& radius
 
 } // namespace
 
-JointRadius joint_radius(const std::vector<Rational>& coefficients, std::size_t arity) {
+JointRadius joint_radius(const std::vector<Rational>& coefficients, std::size_t arity, RadiusBounds bounds) {
     assert(arity >= 2 && !coefficients.empty());
     const ScaledMask b = scaled(coefficients);
     JointRadius radius;
     bound_by_norms(b, arity, radius);
+    if (bounds == RadiusBounds::Norms) return radius;
     bound_by_products(b, arity, radius);
     bound_by_centre(b, arity, radius);
     return radius;

@@ -31,7 +31,11 @@ struct JointRadius {
     bool positive = false; ///< the Fourier transform is nowhere negative: both bounds are one spectral radius
 };
 
+/// Norms alone are cheap and leave `lower` at 0; spectral radii cost some characteristic polynomials.
+enum class RadiusBounds { Norms, NormsAndSpectra };
+
 /// Bounds for coefficients b_0 …, b_n of a scheme of arity m >= 2, at least one of them. Cost: bounded, about 0.1 s.
-[[nodiscard]] JointRadius joint_radius(const std::vector<Rational>& coefficients, std::size_t arity);
+[[nodiscard]] JointRadius joint_radius(const std::vector<Rational>& coefficients, std::size_t arity,
+                                       RadiusBounds bounds = RadiusBounds::NormsAndSpectra);
 
 } // namespace internode

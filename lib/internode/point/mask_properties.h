@@ -4,8 +4,8 @@
 //
 // With s(z) = 1 + z + … + z^{m-1}: polynomials of degree d are generated (sequences of degree d give sequences of
 // degree d) iff s(z)^{d+1} divides a(z). With τ = a'(1)/m, samples π(j) of polynomials of degree d give the samples
-// π((k - τ)/m) iff, besides, a^{(k)}(1) = m τ(τ-1)…(τ-k+1) for k <= d (Conti and Hormann 2011, theorem 4.3, for m = 2;
-// the same proof holds for every m). The limit of the unit impulse lives on [first/(m-1), last/(m-1)].
+// π((k - τ)/m) iff, besides, a^{(k)}(1) = m τ(τ-1)…(τ-k+1) for k <= d (Conti and Hormann 2011, for every arity).
+// The limit of the unit impulse lives on [first/(m-1), last/(m-1)].
 
 #pragma once
 

@@ -10,6 +10,9 @@ namespace internode {
 
 namespace {
 
+constexpr std::size_t least_dimension = 2;
+constexpr std::size_t largest_dimension = 4; // `v.w` is the last coordinate that has a name
+
 CompilationFacts compilation_facts(const PointSystem& system) {
     const bool from_axiom = system.grammar().axiom && !system.grammar().input && system.start() != PointStart::Input;
     const StartWord start{from_axiom || system.start() == PointStart::Axiom ? std::nullopt
@@ -38,6 +41,7 @@ MaskFacts mask_facts(const UniformMask& mask) {
 
 PointValidation make_point_validation(const PointSystem& system) {
     PointValidation validation;
+    validation.dimension = system.dimension();
     validation.affine = affine_findings(system);
     validation.coverage = coverage(system);
     validation.compilation = compilation_facts(system);
@@ -51,10 +55,14 @@ PointValidation make_point_validation(const PointSystem& system) {
     return validation;
 }
 
-PointValidation make_point_validation(std::vector<PointProblem> problems) {
-    PointValidation validation;
-    validation.problems = std::move(problems);
-    return validation;
+PointValidation make_point_validation(const PointGrammar& grammar, PointSettings settings) {
+    PointValidation unsound;
+    for (settings.dimension = least_dimension; settings.dimension <= largest_dimension; ++settings.dimension) {
+        CheckedPointSystem checked = make_point_system(grammar, settings);
+        if (checked.system) return make_point_validation(*checked.system);
+        if (settings.dimension == least_dimension) unsound.problems = std::move(checked.problems);
+    }
+    return unsound;
 }
 
 } // namespace internode

@@ -42,6 +42,7 @@ struct MaskFacts {
 
 struct PointValidation {
     bool valid = false;
+    std::size_t dimension = 2;          ///< coordinates of the points of the input
     std::vector<PointProblem> problems; ///< why the grammar cannot be run; then the rest is empty
     std::vector<AffineFinding> affine;
     std::optional<Coverage> coverage;
@@ -50,7 +51,7 @@ struct PointValidation {
 };
 
 /// Longer masks are not looked at: their analysis is quadratic.
-inline constexpr std::size_t max_validated_coefficients = 4'096;
+inline constexpr std::size_t max_validated_coefficients = 512;
 
 /// \throw std::invalid_argument for a mask of arity below 2 or without coefficients
 [[nodiscard]] MaskFacts mask_facts(const UniformMask& mask);
@@ -58,7 +59,8 @@ inline constexpr std::size_t max_validated_coefficients = 4'096;
 /// Cost: bounded by the limits of its parts; a few milliseconds for the grammars of the papers.
 [[nodiscard]] PointValidation make_point_validation(const PointSystem& system);
 
-/// Of a grammar that is no system.
-[[nodiscard]] PointValidation make_point_validation(std::vector<PointProblem> problems);
+/// Of a grammar: as a system of points of two coordinates, or three or four when its rules ask for so many; the
+/// problems of two when it is a system of none. `settings.dimension` is not looked at.
+[[nodiscard]] PointValidation make_point_validation(const PointGrammar& grammar, PointSettings settings = {});
 
 } // namespace internode

@@ -39,7 +39,9 @@ std::vector<DifferenceScheme> difference_schemes(const UniformMask& mask, std::s
         coefficients = *divide_by_factor(coefficients, mask.arity);
         if (order > 1)
             for (Rational& coefficient : coefficients) coefficient *= m;
-        schemes.push_back({order, coefficients, joint_radius(coefficients, mask.arity)});
+        // The first differences decide convergence, the highest order is the sharpest: these two need both sides.
+        const auto bounds = order == 1 || order == orders ? RadiusBounds::NormsAndSpectra : RadiusBounds::Norms;
+        schemes.push_back({order, coefficients, joint_radius(coefficients, mask.arity, bounds)});
     }
     return schemes;
 }

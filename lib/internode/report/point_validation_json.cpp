@@ -241,6 +241,7 @@ std::string point_validation_json(const PointValidation& validation, const Point
     write_heading(json, "internode-point-validation", generator);
     writer.grammar();
     json.key("valid").boolean(validation.valid);
+    json.key("dimension").integer(validation.dimension);
     writer.problems(validation.problems);
     writer.positions(validation.affine);
     writer.coverage(validation.coverage);

@@ -188,7 +188,11 @@ std::string point_validation_text(const PointValidation& validation, const Point
     text += problems_text(validation, source);
     text += unsound_text(validation, grammar, source);
     if (!validation.coverage) return text;
-    text += "\n" + labelled("rules", std::to_string(grammar.rules.size()) + (grammar.ring ? ", of a ring" : ""));
+    text +=
+        "\n" + labelled("rules", std::to_string(grammar.rules.size()) + (grammar.ring ? ", of a ring" : "") +
+                                     (validation.dimension > 2
+                                          ? ", for points of " + std::to_string(validation.dimension) + " coordinates"
+                                          : ""));
     text += labelled("positions", affine_text(validation));
     for (const AffineFinding& finding : validation.affine)
         if (finding.verdict == AffineVerdict::AffineForTheseConstants)
