@@ -164,6 +164,11 @@ TEST(PaperS0, Matrix37AsPrintedInvertsEquation17AndNotMatrix14) {
     EXPECT_EQ(product(printed, left), shifted_identity(n, n - 1));
 }
 
+TEST(PaperS1, Equation2GivesThePrintedWord) {
+    const PointSystem system = bundled("s1/2");
+    EXPECT_EQ(shown(system, derived(system, axiom_word(system), 1)), "A(4) A(3.5) A(7.5) B(10) C(1)");
+}
+
 std::string word_after(const std::string& name, std::uint64_t cycles, const PointSettings& settings = {}) {
     const PointSystem system = bundled(name, settings);
     return shown(system, derived(system, input_word(system, polygon(5)), cycles));

@@ -40,7 +40,7 @@ std::optional<DerivationProblem> ask(const PointSystem& system, const Query& que
         if (!std::ranges::all_of(answer, [](double value) { return std::isfinite(value); }))
             return DerivationProblem{{},
                                      fmt::format("the query `{}`, module {}, got a value that is not finite",
-                                                 system.grammar().letters.name(word.letter(i)), i + 1),
+                                                 letter_text(system.grammar(), word.letter(i)), i + 1),
                                      ""};
         std::ranges::copy(answer, values.begin());
     }

@@ -117,7 +117,7 @@ private:
             if (extents[i] == known[i]) continue;
             problems_.push_back({one.arguments[i].place,
                                  fmt::format("parameter {} of `{}` is {} here, but {} {}", i + 1,
-                                             grammar_.letters.name(one.letter), describe({false, extents[i]}),
+                                             letter_text(grammar_, one.letter), describe({false, extents[i]}),
                                              describe({false, known[i]}), text_of(origins_[to_index(one.letter)])),
                                  "a parameter is a number everywhere or a point of so many coordinates everywhere"});
         }
@@ -176,8 +176,8 @@ Layout interpreted_layout(const PointGrammar& grammar, const Layout& before, std
 } // namespace
 
 std::optional<PointInput> default_input(const PointGrammar& grammar) {
-    const std::optional<Symbol> point = grammar.letters.find("P");
-    if (!point || grammar.arity[to_index(*point)] != 1) return std::nullopt;
+    const std::optional<Symbol> point = find_letter(grammar, "P", 1);
+    if (!point) return std::nullopt;
     PointInput input;
     input.formal = "v";
     input.each.push_back({*point, {Expression{{{Operation::Formal, 0}}, {}, {}}}, {}});

@@ -25,7 +25,7 @@ std::span<const double> append_parameter(std::string& text, std::span<const doub
     return values.subspan(width);
 }
 
-void append_module(std::string& text, const std::string& name, std::span<const double> values,
+void append_module(std::string& text, std::string_view name, std::span<const double> values,
                    std::span<const Extent> extents) {
     if (!text.empty()) text += ' ';
     text += name;
@@ -104,7 +104,7 @@ std::string to_string(const ModuleWord& word, const PointGrammar& grammar, const
     std::string text;
     for (std::size_t i = 0; i < word.size(); ++i) {
         const auto& parameters = layout[to_index(word.letter(i))];
-        append_module(text, grammar.letters.name(word.letter(i)), word.values(i),
+        append_module(text, letter_text(grammar, word.letter(i)), word.values(i),
                       parameters ? std::span<const Extent>(*parameters) : std::span<const Extent>());
     }
     return text;

@@ -153,9 +153,7 @@ private:
 
     [[nodiscard]] std::uint64_t work() const { return compared_ + length_ + writer_.work(); }
 
-    [[nodiscard]] const std::string& name_of(Symbol letter) const {
-        return task_.system.grammar().letters.name(letter);
-    }
+    [[nodiscard]] std::string_view name_of(Symbol letter) const { return letter_text(task_.system.grammar(), letter); }
     [[nodiscard]] std::string name_of(const PointRule& rule) const {
         return rule.label.empty() ? fmt::format("this rule of `{}`", name_of(rule.predecessor.front()))
                                   : fmt::format("rule `{}`", rule.label);
