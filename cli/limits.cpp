@@ -6,6 +6,7 @@
 #include "internode/curve/curve.h"
 #include "internode/interval/validity.h"
 #include "internode/io/limits.h"
+#include "internode/point/limits.h"
 #include "internode/report/graph_picture.h"
 #include "internode/stencil/automaton.h"
 
@@ -23,6 +24,7 @@ std::string row(std::string_view name, std::uint64_t value, std::string_view uni
 ExitCode run(const LimitsOptions&, const Context&) {
     std::string text;
     for (const auto& limit : grammar_limits) text += row(limit.name, limit.value, limit.unit);
+    for (const auto& limit : point_limits) text += row(limit.name, limit.value, limit.unit);
     for (const auto& limit : input_limits) text += row(limit.name, limit.value, limit.unit);
     const ValidityLimits validity;
     text += row("class with an exact ratio (beyond: enclosures)", validity.exact_class, "symbols");

@@ -41,6 +41,7 @@ TEST(Interpreter, ModulesWithoutARuleStayAsTheyAre) {
 TEST(Interpreter, AnEmptySuccessorErases) {
     EXPECT_EQ(after("points\naxiom A B A\nA -> .\n", 1), "B");
     EXPECT_EQ(after("points\naxiom A A\nA -> .\n", 5), "");
+    EXPECT_EQ(after("points\naxiom A A\nA -> .\n", 1'000'000'000'000), "");
 }
 
 TEST(Interpreter, AllModulesAreRewrittenAtOnce) {

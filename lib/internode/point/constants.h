@@ -5,6 +5,7 @@
 #pragma once
 
 #include "internode/point/known_number.h"
+#include "internode/point/limits.h"
 #include "internode/point/point_system.h"
 
 #include <cstdint>
@@ -14,11 +15,6 @@
 #include <vector>
 
 namespace internode {
-
-/// Operations of one expression with its calls written out (a function that calls another twice doubles its cost), and
-/// of all constants together.
-inline constexpr std::uint64_t max_expression_operations = 1'000'000;
-inline constexpr std::uint64_t max_constant_operations = 100'000;
 
 /// The operations of an expression with its calls written out, saturating above max_expression_operations.
 /// `definition_costs`: of the definitions that it may use.

@@ -125,7 +125,8 @@ Derivation derive(const PointSystem& system, const ModuleWord& word, std::uint64
                   const DeriveOptions& options) {
     Derivation done{word, too_long(system, word, cycles, options.max_modules), 0};
     if (done.problem || system.cycle().empty()) return done;
-    for (std::uint64_t cycle = 0; cycle < cycles; ++cycle)
+    // Nothing comes of an empty word, however many cycles are left.
+    for (std::uint64_t cycle = 0; cycle < cycles && !done.word.empty(); ++cycle)
         for (std::uint64_t k = 0; k < system.cycle().size(); ++k) {
             const std::uint64_t step = cycle * system.cycle().size() + k;
             Derivation from{std::move(done.word), std::nullopt, done.work};

@@ -13,6 +13,7 @@
 
 #pragma once
 
+#include "internode/point/limits.h"
 #include "internode/point/module_word.h"
 
 #include <cstdint>
@@ -27,10 +28,8 @@ namespace internode {
 using Query = std::function<bool(const ModuleWord& word, std::size_t position, std::span<double> values)>;
 
 struct DeriveOptions {
-    std::uint64_t max_modules = 10'000'000;
-    /// Letters compared and numbers computed, all steps together: contexts of 10^5 modules against a word of 10^7 would
-    /// take weeks.
-    std::uint64_t max_work = 1'000'000'000'000;
+    std::uint64_t max_modules = default_max_modules;
+    std::uint64_t max_work = default_max_work; ///< letters compared and numbers computed, all steps together
     std::uint64_t phase =
         0; ///< a ring is read from its module number `phase` on, in each cycle's first step; in an open
            ///< word the modules before it are out of reach of strict predecessors of several modules

@@ -2,6 +2,8 @@
 
 #include "internode/point/kinds.h"
 
+#include "internode/io/limits.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>

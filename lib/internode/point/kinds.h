@@ -19,9 +19,6 @@ struct Kind {
     friend bool operator==(const Kind&, const Kind&) = default;
 };
 
-/// The most coordinates that a point may have.
-inline constexpr std::size_t max_dimension = 64;
-
 /// "a number", "a point of 2 coordinates", "a truth".
 [[nodiscard]] std::string describe(Kind kind);
 

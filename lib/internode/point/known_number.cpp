@@ -2,6 +2,8 @@
 
 #include "internode/point/known_number.h"
 
+#include "internode/point/limits.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -94,7 +96,7 @@ std::optional<Rational> apply_exactly(Operation operation, std::span<const Known
     std::optional<Rational> value = arguments.size() == 1
                                         ? apply_to_one(operation, *arguments[0].exact)
                                         : apply_to_two(operation, *arguments[0].exact, *arguments[1].exact);
-    if (value && bits(*value) > max_exact_bits) return std::nullopt;
+    if (value && bits(*value) > max_known_bits) return std::nullopt;
     return value;
 }
 

@@ -3,15 +3,14 @@
 // Arithmetic on numbers that do not depend on a word: exact as long as all operations are rational.
 //
 // A square root is exact where its argument is the square of a rational. Any other root, a division by zero and a
-// result of more than max_exact_bits bits go on as doubles, with the same operations as the interpreter's. A truth is
-// the number 1 or 0.
+// result of more than max_known_bits bits (point/limits.h) go on as doubles, with the same operations as the
+// interpreter's. A truth is the number 1 or 0.
 
 #pragma once
 
 #include "internode/algebra/rational.h"
 #include "internode/grammar/expression.h"
 
-#include <cstddef>
 #include <optional>
 #include <span>
 
@@ -21,9 +20,6 @@ struct KnownNumber {
     std::optional<Rational> exact;
     double value = 0; ///< where exact is empty; may be infinite or NaN
 };
-
-/// Numerator and denominator together. Twice what the longest literal needs: exact work stays bounded by the text.
-inline constexpr std::size_t max_exact_bits = 8192;
 
 /// The nearest double.
 [[nodiscard]] double nearest(const KnownNumber& number);

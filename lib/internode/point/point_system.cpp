@@ -2,9 +2,11 @@
 
 #include "internode/point/point_system.h"
 
+#include "internode/io/limits.h"
 #include "internode/point/constants.h"
 #include "internode/point/kinds.h"
 #include "internode/point/layouts.h"
+#include "internode/point/limits.h"
 #include "internode/point/module_writer.h"
 #include "internode/point/rule_programs.h"
 
@@ -16,11 +18,6 @@
 namespace internode {
 
 namespace {
-
-constexpr std::uint64_t max_cycle_steps = 100'000;
-
-/// Each table lists its rules by letter, those that stand before the first table too.
-constexpr std::size_t max_table_entries = 1'000'000;
 
 /// The rules of each table in the order of the text: its own and those without a table.
 std::vector<std::vector<std::uint32_t>> rules_by_table(const PointGrammar& grammar) {

@@ -2,6 +2,7 @@
 
 #include "internode/point/rewriting.h"
 
+#include "internode/point/limits.h"
 #include "internode/point/matching.h"
 #include "internode/point/module_writer.h"
 #include "internode/point/random_draw.h"
@@ -14,10 +15,6 @@
 namespace internode {
 
 namespace {
-
-/// A word may hold so many values for each module that is allowed: 64 coordinates in every module of ten million would
-/// not fit in memory.
-constexpr std::uint64_t values_per_module = 16;
 
 class Rewriting {
 public:

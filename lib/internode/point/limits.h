@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+//
+// What a point system and its words may be at most, beside the limits of its text (grammar/limits.h) and of
+// its polygon (io/limits.h). A refusal names its number.
+
+#pragma once
+
+#include "internode/grammar/limits.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace internode {
+
+/// Numerator and denominator of a number that is known before a word is, together: twice what the longest literal
+/// needs. Beyond, it goes on as a double, so that exact work stays bounded by the text.
+inline constexpr std::size_t max_known_bits = 8192;
+
+/// Operations of one expression with its calls written out (a function that calls another twice doubles its cost), and
+/// of all constants together.
+inline constexpr std::uint64_t max_expression_operations = 1'000'000;
+inline constexpr std::uint64_t max_constant_operations = 100'000;
+
+inline constexpr std::uint64_t max_cycle_steps = 100'000;
+
+/// Each table lists its rules by letter, those that stand before the first table too.
+inline constexpr std::size_t max_table_entries = 1'000'000;
+
+/// A word may hold so many numbers for each module that is allowed: 64 coordinates in every module of ten million would
+/// not fit in memory.
+inline constexpr std::uint64_t values_per_module = 16;
+
+inline constexpr std::uint64_t default_max_modules = 10'000'000;
+
+/// Letters compared and numbers computed, all steps together: contexts of a thousand modules against a word of 10^7
+/// would take hours a step.
+inline constexpr std::uint64_t default_max_work = 1'000'000'000'000;
+
+inline constexpr std::array<Limit, 8> point_limits{{
+    {"exact constant (beyond: nearest double)", max_known_bits, "bits"},
+    {"operations of an expression, its calls written out", max_expression_operations, "operations"},
+    {"operations of all constants, calls written out", max_constant_operations, "operations"},
+    {"derivation steps of a cycle", max_cycle_steps, "steps"},
+    {"tables times rules and letters", max_table_entries, "entries"},
+    {"modules of a derived word (--max-modules)", default_max_modules, "modules"},
+    {"numbers of a derived word, for each of --max-modules", values_per_module, "numbers"},
+    {"letters compared and numbers computed in a derivation", default_max_work, "operations"},
+}};
+
+} // namespace internode
