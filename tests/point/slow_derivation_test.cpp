@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The interpreter against the definition, over small grammars drawn at random: contexts up to two modules each side,
-// conditions, empty successors, strict predecessors of two modules, tables, rings and open words with end markers.
+// conditions, empty successors, strict predecessors of two modules, tables, branches, rings and open words with end
+// markers.
 
 #include "tests/point/systems.h"
 #include "tests/reference/slow_derivation.h"
@@ -49,7 +50,9 @@ private:
     std::string axiom(bool ends) {
         std::string word;
         for (unsigned i = 1 + below(6); i > 0; --i)
-            word += one_of({"P((1/2, 3))", "P((-2, 5/4))", "P((7, t))", "A(1)", "A(-3/2)", "A(f(2, 0))", "E"}) + " ";
+            word += one_of({"P((1/2, 3))", "P((-2, 5/4))", "P((7, t))", "A(1)", "A(-3/2)", "A(f(2, 0))", "E",
+                            "[ A(2) E ]", "[ E [ P((1, 1)) ] ]"}) +
+                    " ";
         return ends && below(2) == 0 ? "# " + word + "#" : word;
     }
 
@@ -110,7 +113,7 @@ private:
         const unsigned count = below(4);
         if (count == 0) return text + " .\n";
         for (unsigned i = 0; i < count; ++i)
-            text += " " + one_of({"E", "A(" + number() + ")", "P(" + point() + ")", "P(" + point() + ")"});
+            text += " " + one_of({"E", "[ E ]", "A(" + number() + ")", "P(" + point() + ")", "P(" + point() + ")"});
         return text + "\n";
     }
 

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
-// Derivation as the papers define it, by recursion on sentences: no speed, no brackets, no code of the library but the
-// grammar's own data. Literals must be exact in doubles.
+// Derivation as the papers define it, by recursion on sentences: no speed, no code of the library but the grammar's
+// own data. Literals must be exact in doubles.
 
 #pragma once
 
 #include "internode/grammar/point_grammar.h"
+
+#include "tests/reference/slow_matching.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace internode::reference {
@@ -114,23 +117,33 @@ inline SlowValue evaluate(const Expression& expression, const std::vector<SlowVa
     return stack.back();
 }
 
+/// The letters of a sentence as a text, by the first characters of their names, which differ.
+inline std::string text_of(const Sentence& sentence, const PointGrammar& grammar) {
+    std::string text;
+    for (const SlowModule& one : sentence) text += grammar.letters.name(one.letter).front();
+    return text;
+}
+
 /// The values of the rule's formals when its letters fit with its strict predecessor at i.
-inline std::optional<std::vector<SlowValue>> match(const PointRule& rule, const Sentence& sentence, bool ring,
-                                                   std::size_t i) {
-    std::vector<Symbol> letters = rule.left;
-    letters.insert(letters.end(), rule.predecessor.begin(), rule.predecessor.end());
-    letters.insert(letters.end(), rule.right.begin(), rule.right.end());
-    const auto size = static_cast<std::ptrdiff_t>(sentence.size());
+inline std::optional<std::vector<SlowValue>> match(const PointRule& rule, const Sentence& sentence,
+                                                   const PointGrammar& grammar, std::size_t i) {
+    const std::string text = text_of(sentence, grammar);
+    const auto spelled = [&](const std::vector<Symbol>& letters) {
+        std::string name;
+        for (const Symbol letter : letters) name += grammar.letters.name(letter).front();
+        return name;
+    };
+    if (!fits(text, grammar.ring, i, spelled(rule.left), spelled(rule.predecessor), spelled(rule.right)))
+        return std::nullopt;
+    std::vector<std::size_t> modules;
+    for (std::size_t k = 0, at = i; k < rule.left.size(); ++k)
+        modules.insert(modules.begin(), at = *module_before(text, grammar.ring, at));
+    for (std::size_t k = 0; k < rule.predecessor.size(); ++k) modules.push_back(i + k);
+    for (std::size_t k = 0; k < rule.right.size(); ++k)
+        modules.push_back(*module_after(text, grammar.ring, modules.back()));
     std::vector<SlowValue> values;
-    for (std::size_t k = 0; k < letters.size(); ++k) {
-        std::ptrdiff_t at = static_cast<std::ptrdiff_t>(i + k) - static_cast<std::ptrdiff_t>(rule.left.size());
-        const bool strict = k >= rule.left.size() && k < rule.left.size() + rule.predecessor.size();
-        if (ring && !strict) at = ((at % size) + size) % size;
-        if (at < 0 || at >= size) return std::nullopt;
-        const SlowModule& module = sentence[static_cast<std::size_t>(at)];
-        if (module.letter != letters[k]) return std::nullopt;
-        values.insert(values.end(), module.parameters.begin(), module.parameters.end());
-    }
+    for (const std::size_t at : modules)
+        values.insert(values.end(), sentence[at].parameters.begin(), sentence[at].parameters.end());
     return values;
 }
 
@@ -142,7 +155,7 @@ inline Sentence derive_from(std::size_t i, const Sentence& sentence, const Point
     std::size_t consumed = 1;
     for (const PointRule& rule : grammar.rules) {
         if (rule.table && rule.table != table) continue;
-        const auto values = match(rule, sentence, grammar.ring, i);
+        const auto values = match(rule, sentence, grammar, i);
         if (!values) continue;
         if (rule.condition && evaluate(*rule.condition, *values, grammar).coordinates[0] == 0) continue;
         result.clear();
