@@ -10,6 +10,8 @@
 
 namespace internode::cli {
 
+struct LoadedText;
+
 /// What a command needs of its surroundings.
 using Context = CommonOptions;
 
@@ -21,6 +23,8 @@ ExitCode run(const MasksOptions& options, const Context& context);
 ExitCode run(const SubdivideOptions& options, const Context& context);
 /// `subdivide` with --u and --v.
 ExitCode subdivide_grid(const SubdivideOptions& options, const Context& context);
+/// `subdivide` with a point grammar.
+ExitCode subdivide_points(const LoadedText& grammar, const SubdivideOptions& options, const Context& context);
 ExitCode run(const ConvergeOptions& options, const Context& context);
 ExitCode run(const ReverseOptions& options, const Context& context);
 ExitCode run(const InferOptions& options, const Context& context);

@@ -10,6 +10,7 @@
 #include "cli/point_options.h"
 #include "cli/polygon.h"
 #include "internode/curve/refinement.h"
+#include "internode/grammar/parse_points.h"
 #include "internode/io/csv.h"
 #include "internode/io/curve_json.h"
 #include "internode/io/npy.h"
@@ -100,8 +101,12 @@ std::string picture_title(const SubdivideOptions& options, const LoadedCurve& lo
 } // namespace
 
 ExitCode run(const SubdivideOptions& options, const Context& context) {
-    if (options.is_grid()) return subdivide_grid(options, context);
+    if (options.is_grid()) {
+        refuse_point_options(options.point);
+        return subdivide_grid(options, context);
+    }
     const LoadedText grammar = load_grammar_text(options.grammar);
+    if (kind_of(grammar.text) == GrammarKind::Points) return subdivide_points(grammar, options, context);
     refuse_point_options(options.point);
     require_polygon(options.polygon);
     const std::string format = chosen_format(options.output, {"csv", "json", "npy", "obj", "svg"}, "csv");

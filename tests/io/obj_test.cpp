@@ -62,5 +62,14 @@ TEST(Obj, RefusesFourDimensionsAndBrokenRows) {
     EXPECT_THROW(write_obj(sink, {3, four}, Ends::Open), std::invalid_argument);
 }
 
+TEST(Obj, WritesSeveralPolylines) {
+    const std::vector<double> points{0, 1, 2, 3};
+    const std::vector<ObjPolyline> polylines{{{0, 1, 2}, true}, {{1, 3}, false}, {{3}, false}};
+    StringSink sink;
+    EXPECT_TRUE(write_obj(sink, {1, points}, polylines));
+    EXPECT_EQ(sink.text(), "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nl 1 2 3 1\nl 2 4\np 4\n");
+    EXPECT_THROW(write_obj(sink, {1, points}, std::vector<ObjPolyline>{{{4}, false}}), std::out_of_range);
+}
+
 } // namespace
 } // namespace internode

@@ -623,6 +623,21 @@ def check_curve(document):
         require(len(document["word"]) == letters, f"{len(document['word'])} letters for {len(points)} points")
 
 
+def check_points(document):
+    """Every point stands in a strand, branches begin at points of other strands, all points have one dimension."""
+    points = document["points"]
+    require(len({len(point) for point in points} | {len(end) for line in document["lines"] for end in line}) <= 1,
+            "points of several dimensions")
+    require("weights" not in document or len(document["weights"]) == len(points), "weights and points disagree")
+    seen = [index for strand in document["strands"] for index in strand["points"]]
+    require(all(index < len(points) for index in seen), "a strand has an index without a point")
+    require(set(seen) == set(range(len(points))), "a point stands in no strand")
+    require(document["closed"] or not any(strand["closed"] for strand in document["strands"]), "an open word has a ring")
+    for constant in document["grammar"]["constants"].values():
+        exact = constant["exact"]
+        require(exact is None or float(Fraction(exact)) == constant["value"], "a constant is not the nearest double")
+
+
 def check_grid(document):
     rows = document["points"]
     require(len({len(row) for row in rows}) == 1, "rows of different size")
@@ -832,6 +847,7 @@ CHECKS = {
     "internode-convergence": ("convergence", check_convergence),
     "internode-curve": ("curve", check_curve),
     "internode-grid": ("grid", check_grid),
+    "internode-points": ("points", check_points),
     "internode-pyramid": ("pyramid", check_pyramid),
 }
 

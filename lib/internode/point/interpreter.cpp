@@ -87,6 +87,16 @@ Derivation step_of(const PointSystem& system, Derivation from, std::uint64_t ste
     return rewrite_asked(task, std::move(word), options, record);
 }
 
+/// Interpretation pass number `pass`, when so much work is done already.
+Derivation pass_of(const PointSystem& system, ModuleWord word, std::size_t pass, std::uint64_t spent,
+                   const DeriveOptions& options) {
+    RewritingTask task{.system = system, .rules = system.grammar().interpretations[pass]};
+    task.set = pass + 1;
+    task.stream = pass_stream + pass;
+    task.spent = spent;
+    return rewrite_asked(task, std::move(word), options, nullptr);
+}
+
 /// Takes the next word; whether the derivation goes on.
 bool follow(Derivation& done, Derivation next) {
     done.work += next.work;
@@ -137,14 +147,14 @@ Derivation derive(const PointSystem& system, const ModuleWord& word, std::uint64
 
 Derivation interpret(const PointSystem& system, const ModuleWord& word, const DeriveOptions& options) {
     Derivation done{word, std::nullopt, 0};
-    for (std::size_t pass = 0; pass < system.grammar().interpretations.size(); ++pass) {
-        RewritingTask task{.system = system, .rules = system.grammar().interpretations[pass]};
-        task.set = pass + 1;
-        task.stream = pass_stream + pass;
-        task.spent = done.work;
-        if (!follow(done, rewrite_asked(task, std::move(done.word), options, nullptr))) return done;
-    }
+    for (std::size_t pass = 0; pass < system.grammar().interpretations.size(); ++pass)
+        if (!follow(done, pass_of(system, std::move(done.word), pass, done.work, options))) return done;
     return done;
+}
+
+Derivation interpret_pass(const PointSystem& system, const ModuleWord& word, std::size_t pass,
+                          const DeriveOptions& options) {
+    return pass_of(system, word, pass, 0, options);
 }
 
 } // namespace internode

@@ -63,6 +63,10 @@ struct Derivation {
 [[nodiscard]] Derivation interpret(const PointSystem& system, const ModuleWord& word,
                                    const DeriveOptions& options = {});
 
+/// Interpretation pass number `pass` (from 0) alone, on the word after the passes before it.
+[[nodiscard]] Derivation interpret_pass(const PointSystem& system, const ModuleWord& word, std::size_t pass,
+                                        const DeriveOptions& options = {});
+
 /// The length of the word after so many cycles, saturating at `limit` + 1, by the growth matrix: none when the rules of
 /// a letter differ in the letters of their successors, have strict predecessors of several modules, or may fail to
 /// match without being the identity. In a ring of one letter contexts never fail. Cost: at most 2 10^7 letters counted;

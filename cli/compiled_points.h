@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+//
+// The fast way of a point grammar: the cell automaton that it compiles to, at the speed of interval grammars.
+
+#pragma once
+
+#include "cli/options.h"
+#include "cli/points.h"
+#include "internode/point/compile.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace internode::cli {
+
+/// A compiled grammar with the points of its start word, in the order of its cells.
+struct CompiledPoints {
+    std::optional<CompiledGrammar> grammar; ///< none: `reason` says why
+    std::string reason;                     ///< one line
+    std::size_t dimension = 0;
+    std::vector<double> points;
+};
+
+/// What can be compiled of this derivation: no phase, no chance, points of one dimension.
+[[nodiscard]] CompiledPoints compiled_points(const LoadedPoints& loaded);
+
+/// The word after `cycles` >= 1 cycles, before its interpretation. \throw Failure (Refused) for more points than the
+/// modules allowed
+[[nodiscard]] ModuleWord compiled_word(const CompiledPoints& compiled, const LoadedPoints& loaded, std::uint64_t cycles,
+                                       const CommonOptions& common);
+
+} // namespace internode::cli

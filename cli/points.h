@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+//
+// A point grammar as the command line names it: its constants, the word it starts from, its environment.
+
+#pragma once
+
+#include "cli/exit_code.h"
+#include "cli/load.h"
+#include "cli/options.h"
+#include "internode/curve/homogeneous.h"
+#include "internode/point/interpreter.h"
+
+#include <string>
+#include <vector>
+
+namespace internode::cli {
+
+struct LoadedPoints {
+    LoadedText text; ///< of the grammar: diagnostics quote it
+    PointSystem system;
+    ModuleWord word; ///< of the polygon, or the axiom
+    DeriveOptions derive;
+    std::string name;                 ///< of the grammar, for titles
+    std::string start;                ///< base name of the polygon's file, or "the axiom"
+    std::size_t polygon_size = 0;     ///< points of the polygon; 0 when the axiom is meant
+    std::vector<std::string> columns; ///< names of the polygon's coordinates, when its file gives them
+    Coordinates coordinates = Coordinates::Cartesian;
+};
+
+/// \throw Failure: Refused with everything that is wrong in the grammar, File and Refused for the polygon, Usage for
+/// --set and --query that fit no constant and no query module
+[[nodiscard]] LoadedPoints load_points(const LoadedText& grammar, const SubdivideOptions& options);
+
+/// Why a derivation ended, with its place in the grammar.
+[[nodiscard]] Failure derivation_failure(const LoadedPoints& loaded, const DerivationProblem& problem);
+
+} // namespace internode::cli
