@@ -76,13 +76,12 @@ CompiledPoints compiled_points(const LoadedPoints& loaded) {
     return result;
 }
 
-ModuleWord compiled_word(const CompiledPoints& compiled, const LoadedPoints& loaded, std::uint64_t cycles,
-                         const CommonOptions& common) {
+std::optional<ModuleWord> compiled_word(const CompiledPoints& compiled, const LoadedPoints& loaded,
+                                        std::uint64_t cycles, const CommonOptions& common) {
     const RefinementPlan plan = plan_within(compiled, cycles, loaded.derive.max_modules);
     std::vector<double> points(plan.output_size() * compiled.dimension);
     plan.apply<double>(compiled.points, compiled.dimension, points, {common.threads, common.isa});
-    if (!std::ranges::all_of(points, [](double coordinate) { return std::isfinite(coordinate); }))
-        throw failure(ExitCode::Refused, "a coordinate leaves the range of double");
+    if (!std::ranges::all_of(points, [](double coordinate) { return std::isfinite(coordinate); })) return std::nullopt;
     return compiled.grammar->word(plan.final_cells(), points, compiled.dimension);
 }
 

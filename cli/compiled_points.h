@@ -25,9 +25,12 @@ struct CompiledPoints {
 /// What can be compiled of this derivation: no phase, no chance, points of one dimension.
 [[nodiscard]] CompiledPoints compiled_points(const LoadedPoints& loaded);
 
-/// The word after `cycles` >= 1 cycles, before its interpretation. \throw Failure (Refused) for more points than the
-/// modules allowed
-[[nodiscard]] ModuleWord compiled_word(const CompiledPoints& compiled, const LoadedPoints& loaded, std::uint64_t cycles,
-                                       const CommonOptions& common);
+/// A plan has tables for its steps: of words that hardly grow, more cycles than this are cheaper module by module.
+inline constexpr std::uint64_t max_compiled_cycles = 64;
+
+/// The word after 1 … max_compiled_cycles cycles, before its interpretation; none when a coordinate leaves the range of
+/// double: the interpreter then says where. \throw Failure (Refused) for more points than the modules allowed
+[[nodiscard]] std::optional<ModuleWord> compiled_word(const CompiledPoints& compiled, const LoadedPoints& loaded,
+                                                      std::uint64_t cycles, const CommonOptions& common);
 
 } // namespace internode::cli

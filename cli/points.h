@@ -29,7 +29,7 @@ struct LoadedPoints {
 
 /// \throw Failure: Refused with everything that is wrong in the grammar, File and Refused for the polygon, Usage for
 /// --set and --query that fit no constant and no query module
-[[nodiscard]] LoadedPoints load_points(const LoadedText& grammar, const SubdivideOptions& options);
+[[nodiscard]] LoadedPoints load_points(const LoadedText& text, const SubdivideOptions& options);
 
 /// Why a derivation ended, with its place in the grammar.
 [[nodiscard]] Failure derivation_failure(const LoadedPoints& loaded, const DerivationProblem& problem);

@@ -62,14 +62,16 @@ std::string tree_svg(const LoadedPoints& loaded, const SubdivideOptions& options
 
 /// By the automaton where there is one; the interpreter is the reference.
 ModuleWord final_word(const LoadedPoints& loaded, const SubdivideOptions& options, const Context& context) {
-    if (options.point.interpreter || options.steps == 0) return derived_word(loaded, options.steps);
+    if (options.point.interpreter || options.steps == 0 || options.steps > max_compiled_cycles)
+        return derived_word(loaded, options.steps);
     refuse_growth(loaded, options.steps);
     const CompiledPoints compiled = compiled_points(loaded);
     if (!compiled.grammar) {
         if (context.verbose) say(context, fmt::format("interpreted: {}\n", printable(compiled.reason)));
         return derived_word(loaded, options.steps);
     }
-    return compiled_word(compiled, loaded, options.steps, context);
+    std::optional<ModuleWord> word = compiled_word(compiled, loaded, options.steps, context);
+    return word ? *std::move(word) : derived_word(loaded, options.steps);
 }
 
 void write_result(Sink& sink, const std::string& format, const LoadedPoints& loaded, const SubdivideOptions& options,
