@@ -5,6 +5,7 @@
 #include "internode/grammar/expression_symbols.h"
 #include "internode/grammar/limits.h"
 #include "internode/grammar/token_cursor.h"
+#include "internode/grammar/unknown_name.h"
 
 #include <vector>
 
@@ -154,7 +155,7 @@ private:
         else if (meaning.kind == NameMeaning::Kind::Function)
             open_call(Operation::Call, meaning.index, place, name);
         else
-            refuse_name(name, place, touches_number);
+            refuse_name({name, place, cursor_.at_mark('('), touches_number});
     }
 
     void open_call(Operation operation, std::uint32_t definition, Place place, std::string_view name) {
@@ -176,29 +177,9 @@ private:
         return fmt::format("`{}({}{})`", name, formals.front(), formals.size() > 1 ? ", ..." : "");
     }
 
-    void refuse_name(std::string_view name, Place place, bool touches_number) {
-        const bool is_call = cursor_.at_mark('(');
-        const std::optional<std::size_t> later = context_.scope.table().announced(name);
-        const bool is_exponent = touches_number && (name.front() == 'e' || name.front() == 'E') && name.size() <= 5;
-        if (later && *later <= place.offset)
-            refuse(place, fmt::format("the definition of {} uses itself", quoted(name)),
-                   "definitions use earlier ones only: what repeats is the work of rules");
-        else if (later)
-            refuse(place,
-                   fmt::format("{} is defined later, in line {}", quoted(name), context_.complaints.line_of(*later)),
-                   "definitions use earlier ones only: move it up");
-        else if (is_exponent)
-            refuse(place, fmt::format("{} is no name here", quoted(name)), "numbers have no exponents: write `0.001`");
-        else
-            refuse(place, fmt::format("{} is no {}", quoted(name), is_call ? "function" : "parameter and no constant"),
-                   hint_for_name(name));
-    }
-
-    [[nodiscard]] std::string hint_for_name(std::string_view name) {
-        const std::string near = near_name(name, context_.scope, context_.searches);
-        if (!near.empty()) return fmt::format("did you mean `{}`?", near);
-        return fmt::format("a parameter stands before the arrow, as in `P({0})`; a constant is defined: `{0} = 1/2`",
-                           name);
+    void refuse_name(const UnknownName& name) {
+        complain_of(name, context_.scope, context_.searches, context_.complaints);
+        sound_ = false;
     }
 
     void refuse_operand() {

@@ -2,18 +2,30 @@
 
 #include "internode/grammar/module_reader.h"
 
+#include "internode/grammar/diagnostic.h"
 #include "internode/grammar/limits.h"
 #include "internode/grammar/token_cursor.h"
 #include "internode/grammar/word_reader.h"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
 namespace internode {
 
 namespace {
+
+const std::vector<std::string>& statement_words() {
+    static const std::vector<std::string> words{"axiom", "cycle", "input", "interpretation", "points", "ring", "table"};
+    return words;
+}
+
+/// A rule whose successor was forgotten goes on with the next line: its first word, well spelt or not.
+std::string near_statement_word(std::string_view run) {
+    constexpr std::size_t shortest = 4;
+    constexpr std::size_t longest = 16;
+    return run.size() < shortest || run.size() > longest ? std::string() : did_you_mean(run, statement_words());
+}
 
 class ModuleReader {
 public:
@@ -106,9 +118,9 @@ private:
                    "a letter, then digits, `_` or `'`, then parameters: `P(v)`");
             return;
         }
-        if (is_statement_word(run)) {
-            refuse(cursor_.place(), fmt::format("{} begins a statement", quoted(run)),
-                   "an empty successor is written `.`; letters may stand apart");
+        if (const std::string word = near_statement_word(run); !word.empty()) {
+            refuse(cursor_.place(), fmt::format("{} begins a statement", quoted(word)),
+                   "a successor that the line before lacks is written `.`; letters may stand apart");
             return;
         }
         const std::size_t end = cursor_.offset() + length;
@@ -172,9 +184,11 @@ private:
             refuse(caret, "`^` without a count", "write `X^3`");
         } else {
             module.power = count_of(run.substr(0, digits));
-            if (module.power == 0) refuse(cursor_.place(), "a power must be at least 1");
+            if (module.power == 0) refuse({cursor_.offset(), digits}, "a power must be at least 1");
+            module.power = std::max<std::size_t>(module.power, 1);
             cursor_.advance(digits);
-            if (cursor_.at_mark('^')) refuse(cursor_.place(), "a power of a power", "write one power");
+            if (!result_.damaged && cursor_.at_mark('^'))
+                refuse(cursor_.place(), "a power of a power", "write one power");
         }
     }
 
@@ -221,9 +235,7 @@ private:
 } // namespace
 
 bool is_statement_word(std::string_view run) {
-    constexpr std::array<std::string_view, 7> words{"axiom",  "cycle", "input", "interpretation",
-                                                    "points", "ring",  "table"};
-    return std::ranges::find(words, run) != words.end();
+    return std::ranges::find(statement_words(), run) != statement_words().end();
 }
 
 RawModules read_modules(std::span<const Token> tokens, ModulePlace where, std::string_view text,

@@ -2,24 +2,9 @@
 
 #include "internode/grammar/name_scope.h"
 
-#include "internode/grammar/diagnostic.h"
-#include "internode/grammar/limits.h"
-
 #include <algorithm>
-#include <array>
 
 namespace internode {
-
-namespace {
-
-constexpr std::array<std::string_view, 8> words{"and", "or", "not", "min", "max", "floor", "abs", "sqrt"};
-
-/// Edit distance is slow: it is computed in scopes up to this size only, and not for names so short that every other
-/// name is near.
-constexpr std::size_t searched_names = 1000;
-constexpr std::size_t searched_bytes = 2;
-
-} // namespace
 
 void DefinitionTable::announce(std::string_view name, std::size_t offset) {
     announced_.try_emplace(std::string(name), offset);
@@ -65,23 +50,17 @@ NameMeaning NameScope::find(std::string_view name) {
     return {NameMeaning::Kind::Formal, static_cast<std::uint32_t>(formals_.size() - 1)};
 }
 
-std::string near_name(std::string_view name, const NameScope& scope, std::size_t& searches) {
-    const bool is_small = scope.formals().size() + scope.table().size() <= searched_names;
-    if (name.size() < searched_bytes || name.size() > max_name_bytes || !is_small || searches == shown_errors)
-        return {};
-    ++searches;
-    std::vector<std::string> candidates = scope.formals();
-    for (std::string& defined : scope.table().names()) candidates.push_back(std::move(defined));
-    candidates.insert(candidates.end(), words.begin(), words.end());
-    return did_you_mean(name, candidates);
-}
-
 bool is_name(std::string_view run) {
     return !run.empty() && ((run.front() >= 'a' && run.front() <= 'z') || (run.front() >= 'A' && run.front() <= 'Z'));
 }
 
+const std::vector<std::string>& expression_words() {
+    static const std::vector<std::string> words{"and", "or", "not", "min", "max", "floor", "abs", "sqrt"};
+    return words;
+}
+
 bool is_expression_word(std::string_view name) {
-    return std::ranges::find(words, name) != words.end();
+    return std::ranges::find(expression_words(), name) != expression_words().end();
 }
 
 } // namespace internode

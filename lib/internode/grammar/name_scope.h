@@ -73,14 +73,11 @@ private:
     std::unordered_map<std::string, std::uint32_t> index_;
 };
 
-/// The name known to the scope, or word of expressions, that is nearest to `name`; may be empty. `searches` counts the
-/// calls of a whole text: only as many errors as are shown are worth the time.
-[[nodiscard]] std::string near_name(std::string_view name, const NameScope& scope, std::size_t& searches);
-
 /// Whether a run is a name: a letter, then letters, digits, `_` or `'`.
 [[nodiscard]] bool is_name(std::string_view run);
 
 /// Words of expressions, which name nothing else: and, or, not, min, max, floor, abs, sqrt.
+[[nodiscard]] const std::vector<std::string>& expression_words();
 [[nodiscard]] bool is_expression_word(std::string_view name);
 
 } // namespace internode

@@ -31,6 +31,9 @@ constexpr std::string_view statement_hint = "a statement is a rule `P(u) < P(v) 
                                             "or begins with `ring`, `input`, `axiom`, "
                                             "`table`, `cycle` or `interpretation`";
 
+constexpr std::string_view line_hint = "a rule ends with its line: go on after the arrow or inside parentheses, or "
+                                       "begin a statement with a word or an `=`";
+
 const std::vector<std::string>& statement_words() {
     static const std::vector<std::string> words{"ring", "input", "axiom", "table", "cycle", "interpretation"};
     return words;
@@ -177,8 +180,9 @@ private:
         } else {
             const std::string near =
                 token.kind == TokenKind::Run && word.size() > 2 ? did_you_mean(word, statement_words()) : std::string();
+            const std::string_view hint = rules_ > 0 ? line_hint : statement_hint;
             refuse(place_of(token), fmt::format("{} begins no statement", quoted(word)),
-                   near.empty() ? std::string(statement_hint) : fmt::format("did you mean `{}`?", near));
+                   near.empty() ? std::string(hint) : fmt::format("did you mean `{}`?", near));
         }
     }
 

@@ -25,7 +25,7 @@ struct Printed {
     int strength = primary;
     std::optional<Operation> last; ///< the outermost operation, where it is not in parentheses
     std::size_t literal_tail = 0;  ///< bytes of an integer at the end of a product
-    bool fraction = false;         ///< a literal with a denominator
+    bool fraction = false;         ///< a literal with a denominator, perhaps with a sign before it
 };
 
 bool is_integer(const Printed& printed) {
@@ -139,9 +139,11 @@ private:
 
     void push_prefix(Operation operation) {
         const int strength = precedence(operation);
+        Printed operand = pop();
+        const bool fraction = operand.fraction;
         std::string text = operation == Operation::Not ? "not " : "-";
-        text += at_least(strength, pop());
-        stack_.push_back({std::move(text), strength, operation, 0, false});
+        text += at_least(strength, std::move(operand));
+        stack_.push_back({std::move(text), strength, operation, 0, fraction});
     }
 
     void push_binary(Operation operation) {
