@@ -43,8 +43,9 @@ inline constexpr std::size_t max_predecessor_modules =
 inline constexpr std::size_t max_point_modules = 100'000;
 inline constexpr std::size_t max_expression_instructions = 100'000;
 inline constexpr std::size_t max_point_instructions = 1'000'000;
+inline constexpr std::size_t max_repeated_instructions = 100'000; ///< `P(v + w)^1000` repeats 3 operations 999 times
 
-inline constexpr std::array<Limit, 20> grammar_limits{{
+inline constexpr std::array<Limit, 21> grammar_limits{{
     {"grammar text", max_grammar_bytes, "bytes"},
     {"line of a grammar", max_line_bytes, "bytes"},
     {"symbols of a grammar", max_symbols, "symbols"},
@@ -64,7 +65,8 @@ inline constexpr std::array<Limit, 20> grammar_limits{{
     {"modules before an arrow, contexts included", max_predecessor_modules, "modules"},
     {"modules of a point grammar, powers written out", max_point_modules, "modules"},
     {"operations of an expression", max_expression_instructions, "operations"},
-    {"operations of a point grammar, powers written out", max_point_instructions, "operations"},
+    {"operations of a point grammar", max_point_instructions, "operations"},
+    {"operations that powers repeat in a point grammar", max_repeated_instructions, "operations"},
 }};
 
 } // namespace internode

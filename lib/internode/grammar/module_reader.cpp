@@ -39,7 +39,7 @@ public:
     RawModules read() {
         while (!result_.damaged && !cursor_.at_end()) {
             check_count();
-            read_item();
+            if (!result_.damaged) read_item();
         }
         if (!result_.damaged && depth_ > 0) refuse({open_, 1}, "`[` is never closed here");
         return std::move(result_);

@@ -22,6 +22,7 @@ struct PointContext {
     PointBudget budget;
     std::size_t searches = 0; ///< for names that could be meant
     bool repeated = false;    ///< a power was written out
+    std::size_t repeated_instructions = 0;
 
     PointContext(std::string_view whole_text, Complaints& all_complaints)
         : text(whole_text)

@@ -108,7 +108,7 @@ private:
 
     void check_size(Tokens tokens) {
         const std::size_t modules = rule_.left.size() + rule_.predecessor.size() + rule_.right.size();
-        if (modules > max_predecessor_modules)
+        if (modules > max_predecessor_modules && !damaged_)
             refuse(place_of(tokens),
                    fmt::format("{} modules before the arrow, more than {}", modules, max_predecessor_modules));
         std::size_t& used = context_.budget.modules;
@@ -125,7 +125,10 @@ private:
             return letters;
         }
         RawModules read = read_modules(tokens, ModulePlace::Pattern, context_.text, context_.complaints);
-        if (read.damaged) scope_.accept(UnknownNames::AreFormals);
+        if (read.damaged) {
+            scope_.accept(UnknownNames::AreFormals);
+            damaged_ = true;
+        }
         for (RawModule& module : read.modules) {
             letters.push_back(
                 context_.letters.use(module.letter, module.parameters.size(), LetterTable::Use::Asked, module.place));
@@ -209,6 +212,7 @@ private:
     NameScope scope_;
     PointRule rule_;
     std::vector<RawModule> read_; ///< of the pattern
+    bool damaged_ = false;        ///< modules of the pattern may lack
 };
 
 } // namespace

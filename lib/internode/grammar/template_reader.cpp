@@ -13,21 +13,23 @@ namespace {
 
 /// False after a complaint: the modules would be too many, or their expressions too long.
 bool may_repeat(const RawModule& raw, std::size_t instructions, PointContext& context) {
-    PointBudget& budget = context.budget;
-    if (raw.power > max_point_modules - budget.modules) {
+    std::size_t& modules = context.budget.modules;
+    if (raw.power > max_point_modules - modules) {
         context.complaints.add(raw.place, fmt::format("more than {} modules in one grammar", max_point_modules));
         return false;
     }
-    const std::size_t more = (raw.power - 1) * instructions;
-    if (more > max_point_instructions - budget.instructions) {
+    modules += raw.power;
+    if (raw.power == 1) return true;
+    context.repeated = true;
+    context.repeated_instructions += (raw.power - 1) * instructions;
+    if (context.repeated_instructions > max_repeated_instructions)
         context.complaints.add(
-            raw.place, fmt::format("this power makes more than {} operations in one grammar", max_point_instructions));
-        return false;
-    }
-    budget.modules += raw.power;
-    budget.instructions += more;
-    context.repeated = context.repeated || raw.power > 1;
-    return true;
+            raw.place, fmt::format("powers repeat more than {} operations in one grammar", max_repeated_instructions));
+    else if (raw.power > max_line_bytes / raw.place.bytes)
+        context.complaints.add(raw.place, fmt::format("this power makes a line of more than {} bytes", max_line_bytes));
+    else
+        return true;
+    return false;
 }
 
 ModuleTemplate read_template(const RawModule& raw, NameScope& scope, PointContext& context) {
