@@ -19,24 +19,32 @@ std::string parameters_of(std::size_t count) {
 
 } // namespace
 
-Symbol LetterTable::use(std::string_view name, std::size_t parameters, Use use, Complaints::Place place) {
+std::string LetterTable::key(std::string_view name, std::size_t parameters) const {
     const std::optional<Symbol> plain = letters_.find(name);
     const bool is_other = plain && arity_[to_index(*plain)] != parameters;
-    const std::string key = is_other ? fmt::format("{}/{}", name, parameters) : std::string(name);
-    std::optional<Symbol> symbol = is_other ? letters_.find(key) : plain;
+    return is_other ? fmt::format("{}/{}", name, parameters) : std::string(name);
+}
+
+Symbol LetterTable::use(std::string_view name, std::size_t parameters, Use use, Complaints::Place place) {
+    const std::string full = key(name, parameters);
+    std::optional<Symbol> symbol = letters_.find(full);
     if (!symbol && letters_.size() >= max_point_letters) {
         if (!full_) complaints_.add(place, fmt::format("more than {} letters", max_point_letters));
         full_ = true;
         return to_symbol(0);
     }
     if (!symbol) {
-        symbol = letters_.add(key);
+        symbol = letters_.add(full);
         arity_.push_back(static_cast<std::uint32_t>(parameters));
         origins_.push_back({place, false, name});
     }
     Origin& origin = origins_[to_index(*symbol)];
     origin.made = origin.made || use == Use::Made;
     return *symbol;
+}
+
+void LetterTable::note_made(std::string_view name, std::size_t parameters) {
+    if (const auto symbol = letters_.find(key(name, parameters))) origins_[to_index(*symbol)].made = true;
 }
 
 void LetterTable::finish() {

@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -31,6 +32,9 @@ public:
     /// The symbol of a letter with so many parameters, added when it is new.
     Symbol use(std::string_view name, std::size_t parameters, Use use, Complaints::Place place);
 
+    /// Says that a letter, if it is used with so many parameters, is made: P(v) by an input that is not written.
+    void note_made(std::string_view name, std::size_t parameters);
+
     /// What only the whole grammar can tell: `Asked` symbols that nothing makes.
     void finish();
 
@@ -38,6 +42,9 @@ public:
     [[nodiscard]] const std::vector<std::uint32_t>& arity() const { return arity_; }
 
 private:
+    /// The name in the alphabet: `B/1` where B has another number of parameters.
+    [[nodiscard]] std::string key(std::string_view name, std::size_t parameters) const;
+
     Complaints& complaints_;
     Alphabet letters_;
     std::vector<std::uint32_t> arity_;

@@ -154,8 +154,9 @@ private:
         for (std::size_t i = first; i <= close; ++i) {
             const bool ends = depth == 0 && (i == close || is_mark(tokens_[i], text_, ','));
             if (ends && i == first) {
+                const bool is_empty = i == close && first == open + 1;
                 refuse(place_of(tokens_.subspan(i - 1, 2)), "no parameter here",
-                       "a module without parameters has no parentheses: `E`");
+                       is_empty ? "a module without parameters has no parentheses: `E`" : "");
                 return;
             }
             if (ends) {

@@ -193,6 +193,7 @@ private:
             refuse({*cycle_, 5}, "a `cycle` without tables", "begin a table with `table p`, or leave `cycle` out");
         if (rules_ == 0 && context_.complaints.empty())
             refuse({0, 0}, "a grammar without rules", "write one rule a line: `P(v) -> P(v) P(v)`");
+        if (!input_) context_.letters.note_made("P", 1);
         if (context_.complaints.empty()) context_.letters.finish();
         grammar_.definitions = std::move(context_.definitions).definitions();
         grammar_.arity = context_.letters.arity();
