@@ -3,6 +3,7 @@
 #include "internode/point/compile.h"
 
 #include "internode/point/cell_piece.h"
+#include "internode/point/layouts.h"
 
 #include <algorithm>
 #include <array>
@@ -74,8 +75,10 @@ public:
     GrammarCompiler(const PointSystem& system, StartWord start, const CompileLimits& limits)
         : system_(system)
         , start_(start)
-        , limits_(limits) {
+        , limits_(limits)
+        , input_(effective_input(system.grammar(), system.start())) {
         if (start.points == std::size_t{0}) throw std::invalid_argument("a polygon without points");
+        if (start.points && !input_) throw std::invalid_argument("a grammar without an input");
         if (!start.points && !system.grammar().axiom) throw std::invalid_argument("a grammar without an axiom");
     }
 
@@ -121,15 +124,13 @@ private:
         };
         if (!start_.points) {
             add(*system_.grammar().axiom);
-        } else if (const std::optional<PointInput>& input = system_.grammar().input) {
+        } else {
             for (std::size_t i = 0; i < shown_points(); ++i) {
                 const bool last = i + 1 == shown_points();
-                add(input->has_ends && i == 0 ? input->first : input->has_ends && last ? input->last : input->each);
+                add(input_->has_ends && i == 0 ? input_->first
+                    : input_->has_ends && last ? input_->last
+                                               : input_->each);
             }
-        } else {
-            const Symbol letter = system_.grammar().letters.find("P").value();
-            for (; next < static_cast<std::ptrdiff_t>(shown_points()); ++next)
-                word.push_back({letter, {PointSum{{{next, Rational(1)}}}}, 0});
         }
         if (stop_) return std::nullopt;
         return word;
@@ -185,6 +186,7 @@ private:
     /// States that cannot be told apart become one.
     CompiledGrammar finish() {
         CompiledGrammar compiled;
+        reach_ = reaches();
         CellRules rules;
         std::vector<CompiledGrammar::Emission> emissions;
         for (const State& state : states_) {
@@ -207,6 +209,9 @@ private:
         compiled.automaton_ = std::make_shared<const CellAutomaton>(make_cell_automaton(compiled.rules_));
         compiled.kinds_ = kinds_->kinds();
         for (const ModuleKind& kind : compiled.kinds_) compiled.is_point_.push_back(kinds_->points_of(kind.letter));
+        for (const Reach& reach : reach_)
+            compiled.fused_width_ =
+                std::max(compiled.fused_width_, static_cast<std::size_t>(reach.last - reach.first + 1));
         spread_cells(classes, compiled);
         return compiled;
     }
@@ -218,8 +223,8 @@ private:
         compiled.cells_ = shown;
         if (!start_.points || *start_.points < 2 * side_ + 3) return;
         // Whole points; each of the middle ones has as many cells.
-        const std::size_t inner = cells_of(middle_part());
-        const std::size_t first = cells_of(first_part()) + side_ * inner;
+        const std::size_t inner = cells_of(input_->each);
+        const std::size_t first = cells_of(input_->has_ends ? input_->first : input_->each) + side_ * inner;
         const std::size_t more = *start_.points - shown_points();
         const auto middle = shown.begin() + static_cast<std::ptrdiff_t>(first);
         compiled.interior_ = *middle;
@@ -229,17 +234,9 @@ private:
         compiled.cells_.insert(compiled.cells_.end(), middle, shown.end());
     }
 
-    [[nodiscard]] const std::vector<ModuleTemplate>* middle_part() const {
-        return system_.grammar().input ? &system_.grammar().input->each : nullptr;
-    }
-    [[nodiscard]] const std::vector<ModuleTemplate>* first_part() const {
-        if (!system_.grammar().input) return nullptr;
-        return system_.grammar().input->has_ends ? &system_.grammar().input->first : middle_part();
-    }
-    [[nodiscard]] std::size_t cells_of(const std::vector<ModuleTemplate>* part) const {
-        if (part == nullptr) return 1;
+    [[nodiscard]] std::size_t cells_of(const std::vector<ModuleTemplate>& part) const {
         std::size_t cells = 0;
-        for (const ModuleTemplate& made : *part)
+        for (const ModuleTemplate& made : part)
             for (const bool is_point : kinds_->points_of(made.letter)) cells += is_point ? 1 : 0;
         return cells;
     }
@@ -298,13 +295,12 @@ private:
 
     /// Children with equal labels have equal rows, and equal rows of the cells that their descendants depend on.
     [[nodiscard]] std::vector<std::uint32_t> labels() const {
-        const std::vector<Reach> reach = reaches();
         CellRules all(1); // every row in question, as children of one state
         std::vector<std::vector<std::ptrdiff_t>> spans;
         for (const State& state : states_)
             for (std::size_t c = 0; c < state.children.size(); ++c) {
                 const PieceChild& child = state.children[c];
-                const Reach& of_child = reach[state.states[c]];
+                const Reach& of_child = reach_[state.states[c]];
                 spans.push_back({of_child.first, of_child.last});
                 for (std::ptrdiff_t cell = of_child.first; cell <= of_child.last; ++cell)
                     all[0].push_back({0, child.rows[static_cast<std::size_t>(cell - child.first)]});
@@ -327,12 +323,14 @@ private:
     const PointSystem& system_;
     StartWord start_;
     CompileLimits limits_;
+    std::optional<PointInput> input_;
     std::size_t side_ = 1;
     std::uint64_t work_ = 0;
     std::optional<KindTable> kinds_;
     std::vector<State> states_;
     std::map<CellPiece, std::uint32_t> numbers_;
     std::vector<std::uint32_t> starts_; ///< states of the cells of the shown start word
+    std::vector<Reach> reach_;          ///< of each state
     std::optional<ExactStop> stop_;
 };
 

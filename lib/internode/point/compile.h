@@ -100,6 +100,7 @@ private:
     std::vector<std::vector<bool>> is_point_; ///< per kind, per parameter
     std::vector<std::uint32_t> cells_;
     std::optional<std::uint32_t> interior_;
+    std::size_t fused_width_ = 2; ///< weights in a row of any number of cycles, at most
 };
 
 /// The points of all modules of a word, one after the other: those of its cells.
@@ -110,7 +111,7 @@ struct Compilation {
     std::vector<ExactStop> reasons;
 };
 
-/// \throw std::invalid_argument for no points, or an axiom that the grammar does not have
+/// \throw std::invalid_argument for no points, or an input or an axiom that the grammar does not have
 [[nodiscard]] Compilation compile(const PointSystem& system, StartWord start, const CompileLimits& limits = {});
 
 } // namespace internode

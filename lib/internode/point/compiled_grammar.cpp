@@ -195,8 +195,10 @@ std::optional<FusedStencils> CompiledGrammar::fuse(int cycles, const std::vector
 }
 
 RefinementPlan CompiledGrammar::plan(int cycles, const PlanOptions& options) const {
-    const auto fuse_cycles = [this](int count, const std::vector<bool>& wanted) { return fuse(count, wanted); };
-    return {automaton_, cells_, cycles, fuse_cycles, options};
+    PlanOptions chosen = options;
+    if (fused_width_ > max_row_width) chosen.most_fused_steps = 1;
+    const auto table = [this](int count, const std::vector<bool>& wanted) { return fuse(count, wanted); };
+    return {automaton_, cells_, cycles, StepFuser{table, fused_width_}, chosen};
 }
 
 ModuleWord CompiledGrammar::word(std::span<const std::uint32_t> states, std::span<const double> points,

@@ -2,6 +2,7 @@
 
 #include "internode/point/exact_word.h"
 
+#include "internode/point/layouts.h"
 #include "internode/point/matching.h"
 
 #include <algorithm>
@@ -238,14 +239,10 @@ PieceStep exact_piece_step(const PointSystem& system, const ExactWord& piece, Pi
 
 std::variant<ExactWord, ExactStop> exact_input(const PointSystem& system, std::size_t count) {
     if (count == 0) throw std::invalid_argument("a polygon without points");
-    const std::optional<PointInput>& input = system.grammar().input;
+    const std::optional<PointInput> input = effective_input(system.grammar(), system.start());
+    if (!input) throw std::invalid_argument("a grammar without an input");
     ExactWord word;
     for (std::size_t i = 0; i < count; ++i) {
-        if (!input) {
-            const PointSum point{{{static_cast<std::ptrdiff_t>(i), Rational(1)}}};
-            word.push_back({system.grammar().letters.find("P").value(), {point}, 0});
-            continue;
-        }
         const bool has_ends = input->has_ends;
         const auto& part = has_ends && i == 0 ? input->first : has_ends && i + 1 == count ? input->last : input->each;
         if (std::optional<ExactStop> stop = add_point(part, i, system, word)) return *std::move(stop);

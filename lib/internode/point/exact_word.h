@@ -56,7 +56,8 @@ struct PieceStep {
 [[nodiscard]] PieceStep exact_piece_step(const PointSystem& system, const ExactWord& piece, PieceSides sides,
                                          std::size_t first, std::size_t last, std::optional<std::uint32_t> table);
 
-/// The word that the input makes of `count` points, p_0 … p_{count-1}. \throw std::invalid_argument for none
+/// The word that the input makes of `count` points, p_0 … p_{count-1}. \throw std::invalid_argument for no points, or
+/// no input
 [[nodiscard]] std::variant<ExactWord, ExactStop> exact_input(const PointSystem& system, std::size_t count);
 
 /// The word of the axiom. \throw std::invalid_argument without one

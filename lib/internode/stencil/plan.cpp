@@ -20,8 +20,9 @@ constexpr std::uint64_t least_growth = 12;
 /// Chooses how many steps go together.
 class BlockChoice {
 public:
-    BlockChoice(const CellAutomaton& automaton, const Levels& levels, const PlanOptions& options)
+    BlockChoice(const CellAutomaton& automaton, std::size_t width, const Levels& levels, const PlanOptions& options)
         : automaton_(automaton)
+        , width_(width)
         , levels_(levels)
         , options_(options) {}
 
@@ -61,18 +62,17 @@ private:
     }
 
     [[nodiscard]] bool fits_cache(std::uint64_t rows) const {
-        return rows * automaton_.width() * sizeof(double) <= options_.table_bytes;
+        return rows * width_ * sizeof(double) <= options_.table_bytes;
     }
     [[nodiscard]] bool pays(std::uint64_t rows, std::uint64_t points) const {
         return rows * options_.points_per_row <= points;
     }
     /// Against the output, which has at least one coordinate a point.
-    [[nodiscard]] bool is_small(std::uint64_t rows, std::uint64_t points) const {
-        return rows * automaton_.width() * 32 <= points;
-    }
+    [[nodiscard]] bool is_small(std::uint64_t rows, std::uint64_t points) const { return rows * width_ * 32 <= points; }
 
     static constexpr std::uint64_t most_rows = std::uint64_t{1} << 40; // no table has as many
     const CellAutomaton& automaton_;
+    std::size_t width_; ///< weights in a row
     const Levels& levels_;
     PlanOptions options_;
 };
@@ -106,26 +106,27 @@ RefinementPlan::RefinementPlan(const IntervalSystem& system, std::shared_ptr<con
     : RefinementPlan(system, StartCells{std::move(automaton), std::move(cells)}, steps, options) {}
 
 RefinementPlan::RefinementPlan(const IntervalSystem& system, StartCells start, int steps, const PlanOptions& options)
-    : RefinementPlan(
-          start.automaton, std::move(start.cells), steps,
-          [&, automaton = start.automaton](int count, const std::vector<bool>& wanted) {
-              return fuse(*automaton, system, count, wanted);
-          },
-          options) {}
+    : RefinementPlan(start.automaton, std::move(start.cells), steps,
+                     StepFuser{[&, automaton = start.automaton](int count, const std::vector<bool>& wanted) {
+                                   return fuse(*automaton, system, count, wanted);
+                               },
+                               start.automaton->width()},
+                     options) {}
 
 RefinementPlan::RefinementPlan(std::shared_ptr<const CellAutomaton> automaton, std::vector<std::uint32_t> cells,
-                               int steps, const FuseSteps& fuse, const PlanOptions& options)
+                               int steps, const StepFuser& fuser, const PlanOptions& options)
     : automaton_(std::move(automaton))
     , cells_(std::move(cells)) {
     if (steps < 0) throw std::invalid_argument("a negative number of steps");
-    choose_blocks(steps, fuse, options);
+    choose_blocks(steps, fuser, options);
 }
 
-void RefinementPlan::choose_blocks(int steps, const FuseSteps& fuse, const PlanOptions& options) {
+void RefinementPlan::choose_blocks(int steps, const StepFuser& fuser, const PlanOptions& options) {
     Levels levels = levels_of(*automaton_, cells_, steps);
-    const BlockChoice choice(*automaton_, levels, options);
+    const BlockChoice choice(*automaton_, fuser.width, levels, options);
     const auto table = [&](int level, int count) -> std::shared_ptr<const FusedStencils> {
-        std::optional<FusedStencils> made = fuse(count, levels.occupied[static_cast<std::size_t>(level - count)]);
+        std::optional<FusedStencils> made =
+            fuser.table(count, levels.occupied[static_cast<std::size_t>(level - count)]);
         return made ? std::make_shared<const FusedStencils>(*std::move(made)) : nullptr;
     };
     for (int level = steps; level > 0;) {

@@ -46,13 +46,16 @@ struct StartCells {
                                      const PlanOptions& options);
 
 /// Makes the table of so many steps for the wanted states; none where it would not be precise (never for one step).
-using FuseSteps = std::function<std::optional<FusedStencils>(int steps, const std::vector<bool>& wanted)>;
+struct StepFuser {
+    std::function<std::optional<FusedStencils>(int steps, const std::vector<bool>& wanted)> table;
+    std::size_t width = 2; ///< weights in a row of several steps, at most
+};
 
 class RefinementPlan {
 public:
-    /// Of any cell automaton; `fuse` is called here and not kept. \throw as below
+    /// Of any cell automaton; `fuser` is called here and not kept. \throw as below
     RefinementPlan(std::shared_ptr<const CellAutomaton> automaton, std::vector<std::uint32_t> cells, int steps,
-                   const FuseSteps& fuse, const PlanOptions& options = {});
+                   const StepFuser& fuser, const PlanOptions& options = {});
 
     /// Of a word that fits the degree (stencil/automaton.h, cell_states) and steps >= 0.
     /// \throw std::invalid_argument, TooManyStates, std::length_error for more than 2^62 points
@@ -93,7 +96,7 @@ public:
 
 private:
     RefinementPlan(const IntervalSystem& system, StartCells start, int steps, const PlanOptions& options);
-    void choose_blocks(int steps, const FuseSteps& fuse, const PlanOptions& options);
+    void choose_blocks(int steps, const StepFuser& fuser, const PlanOptions& options);
 
     struct Block {
         int first_step = 0;
