@@ -112,8 +112,8 @@ TEST(PointMatrix, TakesTheRootOfASquare) {
 TEST(PointMatrix, StopsAtNumbersThatAreTooLong) {
     const PointSystem system = point_system("points\ninput P(v, 3)\nP(v, s) -> P(v, s s s s)\n");
     EXPECT_NO_THROW((void)matrix(system, 1, 5));
-    const auto made = point_matrix(system, 1, 9);
-    EXPECT_EQ(std::get<ExactStop>(made).reason, "has numbers of more than 4096 bits");
+    const auto made = point_matrix(system, 1, 12);
+    EXPECT_EQ(std::get<ExactStop>(made).reason, "has numbers of too many digits");
 }
 
 TEST(ExactStep, AsksNoSurroundings) {

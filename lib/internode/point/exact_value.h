@@ -29,18 +29,14 @@ struct PointSum {
 
 using ExactValue = std::variant<Rational, PointSum>;
 
-/// A value, a truth, or the reason why there is none.
+/// A value, a truth as the number 1 or 0, or the reason why there is none.
 struct ExactResult {
-    std::optional<std::variant<Rational, PointSum, bool>> value;
+    std::optional<ExactValue> value;
     std::string reason; ///< "mixes coordinates", … ; empty when there is a value
 };
 
-/// Bits of a numerator or denominator; longer numbers are a reason. Instructions of one evaluation, with those of the
-/// definitions that are called.
-inline constexpr std::size_t max_exact_bits = 4096;
-inline constexpr std::size_t max_exact_instructions = 1'000'000;
-
 /// The value of an expression of a rule, an axiom or an input; `formals` in the order of the rule's.
+/// Limits: point/limits.h, which are reasons too.
 [[nodiscard]] ExactResult exact_value(const Expression& expression, std::span<const ExactValue> formals,
                                       const PointSystem& system);
 

@@ -74,10 +74,7 @@ std::variant<ExactModule, ExactStop> made_of(const ModuleTemplate& made, std::sp
     for (const Expression& argument : made.arguments) {
         ExactResult result = exact_value(argument, formals, system);
         if (!result.value) return ExactStop{argument.place, result.reason};
-        if (Rational* number = std::get_if<Rational>(&*result.value))
-            module.values.emplace_back(std::move(*number));
-        else
-            module.values.emplace_back(std::get<PointSum>(*std::move(result.value)));
+        module.values.push_back(*std::move(result.value));
     }
     return module;
 }
@@ -144,7 +141,7 @@ private:
         if (!rule.condition) return true;
         const ExactResult result = exact_value(*rule.condition, formals, system_);
         if (!result.value) return stop(rule.condition->place, "has a condition that " + result.reason);
-        return std::get<bool>(*result.value);
+        return std::get<Rational>(*result.value) != 0;
     }
 
     std::optional<Successor> rewritten(const PointRule& rule, const std::vector<ExactValue>& formals, std::size_t i) {

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/grammar/bundled.h"
+#include "internode/point/compile.h"
+#include "internode/point/interpreter.h"
+
+#include "tests/reference/point_grammars.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace internode {
+namespace {
+
+using reference::point_system;
+
+/// Points without symmetries, all of about the size of 1.
+std::vector<double> polygon(std::size_t count, std::size_t dimension) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> coordinate(-1, 1);
+    std::vector<double> points(count * dimension);
+    for (double& value : points) value = coordinate(random);
+    return points;
+}
+
+void expect_same(const ModuleWord& fast, const ModuleWord& slow, const PointGrammar& grammar) {
+    ASSERT_EQ(fast.size(), slow.size());
+    for (std::size_t i = 0; i < slow.size(); ++i) {
+        ASSERT_EQ(grammar.letters.name(fast.letter(i)), grammar.letters.name(slow.letter(i))) << i;
+        ASSERT_EQ(fast.values(i).size(), slow.values(i).size());
+        for (std::size_t k = 0; k < slow.values(i).size(); ++k)
+            ASSERT_NEAR(fast.values(i)[k], slow.values(i)[k], 1e-14) << i << ' ' << k;
+    }
+}
+
+/// Whether it compiled: then the words after 0 … `cycles` cycles are the interpreter's, letter by letter.
+bool derives_the_same(const PointSystem& system, const ModuleWord& word, StartWord start, int cycles) {
+    const Compilation compilation = compile(system, start);
+    if (!compilation.compiled) return false;
+    const std::vector<double> points = cell_points(word, system);
+    const std::size_t dimension = points.size() / compilation.compiled->cells().size();
+    for (int count = 0; count <= cycles; ++count) {
+        SCOPED_TRACE(count);
+        const Derivation slow = derive(system, word, static_cast<std::uint64_t>(count));
+        EXPECT_FALSE(slow.problem);
+        expect_same(compilation.compiled->derive(points, dimension, count), slow.word, system.grammar());
+    }
+    return true;
+}
+
+TEST(CompiledGrammar, DerivesTheInterpretersWordsForAllBundledGrammars) {
+    std::set<std::string> compiled;
+    for (const BundledGrammar& bundled : bundled_grammars()) {
+        const ParsedPointGrammar parsed = parse_point_grammar(bundled.text, bundled.name);
+        if (!parsed.grammar) continue; // of another kind
+        for (const std::size_t dimension : {2, 3}) {
+            SCOPED_TRACE(std::string(bundled.name));
+            const CheckedPointSystem checked = make_point_system(*parsed.grammar, {.dimension = dimension});
+            if (!checked.system) continue; // its axiom has points of another dimension
+            const PointSystem& system = *checked.system;
+            if (parsed.grammar->axiom) {
+                if (derives_the_same(system, axiom_word(system), {}, 3)) compiled.emplace(bundled.name);
+                continue;
+            }
+            for (std::size_t n = 2; n <= 9; ++n)
+                if (derives_the_same(system, input_word(system, polygon(n, dimension)), {n}, 3))
+                    compiled.emplace(bundled.name);
+        }
+    }
+    for (const char* name : {"s0/13", "s0/22", "s0/25", "s0/28-33", "s0/34-36", "s1/8", "s1/10", "s1/17", "s1/19",
+                             "four-point", "six-point", "lane-riesenfeld", "sierpinski", "kolam"})
+        EXPECT_TRUE(compiled.contains(name)) << name;
+}
+
+TEST(CompiledGrammar, DerivesTheInterpretersWordsForRandomAffineGrammars) {
+    std::mt19937 random(2010);
+    for (int round = 0; round < 100; ++round) {
+        const std::string text = reference::random_affine_grammar(round % 2 == 0, random);
+        SCOPED_TRACE(text);
+        const PointSystem system = point_system(text);
+        for (const std::size_t n : {2, 3, 4, 6})
+            EXPECT_TRUE(derives_the_same(system, input_word(system, polygon(n, 2)), {n}, 3));
+    }
+}
+
+TEST(CompiledGrammar, KeepsModulesWithoutPointsAndNumbers) {
+    const PointSystem system = point_system("points\nring\ninput E P(v, 1) F(2)\n"
+                                            "P(v, s) > F(t) E P(w, u) : s < 3 -> G P(1/2 v + 1/2 w, s + 1) F(t) E P(w, 0)\n"
+                                            "P(v, s) -> P(v, 0)\nG -> .\n",
+                                            {});
+    EXPECT_TRUE(derives_the_same(system, input_word(system, polygon(4, 2)), {std::size_t{4}}, 4));
+}
+
+TEST(CompiledGrammar, RefusesAnotherNumberOfPoints) {
+    const Compilation compilation = compile(reference::bundled_system("s0/13"), {4});
+    EXPECT_THROW((void)compilation.compiled->derive(polygon(5, 2), 2, 1), std::invalid_argument);
+}
+
+} // namespace
+} // namespace internode
