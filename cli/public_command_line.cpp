@@ -9,8 +9,9 @@
 namespace internode::cli {
 namespace {
 
-/// The last component of a path; `-` and `@name` stay.
+/// The last component of a path; `-` and `@name` stay, and so does `@folder/name`.
 std::string base_name(const std::string& word) {
+    if (word.starts_with('@')) return word;
     const auto slash = word.find_last_of('/');
     return slash == std::string::npos || slash + 1 == word.size() ? word : word.substr(slash + 1);
 }

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+//
+// validate on point grammars: exit codes, the whole report, JSON.
+
+#include "tests/cli/command.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace internode::tests {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(ValidatePoints, PrintsTheWholeReport) {
+    const Workspace here;
+    const Outcome outcome = here.run({"validate", "@s0/13"});
+    EXPECT_EQ(outcome.code, 0);
+    for (const char* const part :
+         {"s0/13: valid\n", "a(z) = 1/4 z^-1 (1 + z)^3", "Chaikin's corner cutting", "compiles      to an automaton",
+          "convergence   proved", "C^1 (proved)", "`intervals A -> A A` at degree 2"})
+        EXPECT_THAT(outcome.out, HasSubstr(part));
+    EXPECT_EQ(outcome.err, "");
+}
+
+TEST(ValidatePoints, SaysNotValidByItsExitCodeWithRuleSumAndLine) {
+    const Workspace here;
+    const Outcome outcome = here.run({"validate", "-e", "points wrong\nring\nq: P(u) < P(v) -> P(1/4 u + v)"});
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_THAT(outcome.out, HasSubstr("line 3: rule 1 (`q`), module 1: in `1/4 u + v` the coefficients sum to 5/4"));
+}
+
+TEST(ValidatePoints, RefusesWhatIsNoGrammar) {
+    const Workspace here;
+    const Outcome outcome = here.run({"validate", "-e", "points\nP(v) -> P(v"});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_EQ(outcome.out, "");
+}
+
+TEST(ValidatePoints, JsonNamesTheGrammarAsItWasCalled) {
+    const Workspace here;
+    ASSERT_EQ(here.run({"validate", "@s0/25", "-o", "v.json"}).code, 0);
+    const std::string json = here.read("v.json");
+    EXPECT_THAT(json, HasSubstr("\"internode-point-validation\""));
+    EXPECT_THAT(json, HasSubstr("\"command\": \"internode validate @s0/25\""));
+    EXPECT_THAT(json, HasSubstr("4-point scheme with tension w = 1/16 (Dyn, Levin and Gregory)"));
+    EXPECT_EQ(here.run({"validate", "@s0/25", "--json"}).out, json);
+}
+
+} // namespace
+} // namespace internode::tests
