@@ -180,13 +180,14 @@ std::optional<OwnModules> own_modules(const CellPiece& piece, const KindTable& k
 }
 
 PieceChildren children_of(const CellPiece& piece, const PointSystem& system, KindTable& kinds, std::size_t side,
-                          std::uint64_t& work) {
+                          std::uint64_t& work, std::uint64_t limit) {
     if (piece.slot > 0) return {std::vector<PieceChild>(), std::nullopt};
     const std::optional<OwnModules> own = own_modules(piece, kinds);
     if (!own) return {};
     Moving word = moving(piece, kinds, *own);
     for (const std::optional<std::uint32_t> table : system.cycle()) {
         work += word.word.size();
+        if (work > limit) return {std::nullopt, ExactStop{{}, "takes too long to compile"}};
         std::optional<ExactStop> stop;
         if (!advance(word, system, table, stop)) return {std::nullopt, std::move(stop)};
         if (word.own.first == word.own.last) return {std::vector<PieceChild>(), std::nullopt};

@@ -65,9 +65,10 @@ struct OwnModules {
 };
 [[nodiscard]] std::optional<OwnModules> own_modules(const CellPiece& piece, const KindTable& kinds);
 
-/// One cycle of the piece; `work` counts the modules that were rewritten.
+/// One cycle of the piece; `work` counts the modules that were rewritten, and the cycle stops when they are more than
+/// `limit`: a word may double in each of its many steps.
 [[nodiscard]] PieceChildren children_of(const CellPiece& piece, const PointSystem& system, KindTable& kinds,
-                                        std::size_t side, std::uint64_t& work);
+                                        std::size_t side, std::uint64_t& work, std::uint64_t limit);
 
 /// The piece round a point of a word that starts at its first module; its modules before and after are the word's, of a
 /// ring again and again.

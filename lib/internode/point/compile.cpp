@@ -161,8 +161,7 @@ private:
     }
 
     bool expand(std::size_t i) {
-        PieceChildren made = children_of(states_[i].piece, system_, *kinds_, side_, work_);
-        if (work_ > limits_.work) made.stop = ExactStop{{}, "takes too long to compile"};
+        PieceChildren made = children_of(states_[i].piece, system_, *kinds_, side_, work_, limits_.work);
         stop_ = std::move(made.stop);
         if (!made.children) return false;
         for (const PieceChild& child : *made.children) {

@@ -13,11 +13,16 @@ namespace {
 constexpr std::size_t least_dimension = 2;
 constexpr std::size_t largest_dimension = 4; // `v.w` is the last coordinate that has a name
 
+// A verdict shall not take longer than a few seconds; the grammars of the papers need some thousands.
+constexpr std::uint64_t compilation_work = 60'000;
+
 CompilationFacts compilation_facts(const PointSystem& system) {
     const bool from_axiom = system.grammar().axiom && !system.grammar().input && system.start() != PointStart::Input;
     const StartWord start{from_axiom || system.start() == PointStart::Axiom ? std::nullopt
                                                                             : std::optional<std::size_t>(many_points)};
-    Compilation compilation = compile(system, start);
+    CompileLimits limits;
+    limits.work = compilation_work;
+    Compilation compilation = compile(system, start, limits);
     CompilationFacts facts;
     facts.reasons = std::move(compilation.reasons);
     if (!compilation.compiled) return facts;
