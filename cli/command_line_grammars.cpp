@@ -17,6 +17,7 @@ void CommandReader::add_grammar_commands() {
                           "validate @fibonacci", "validate @four-point --json"));
     add_grammar(validate, validate_.grammar, false);
     add_output(validate, validate_.output, {"text", "json"});
+    add_settings(validate, validate_.settings);
     commands_.push_back({validate, [this] { return Request(validate_); }});
 
     CLI::App* masks =

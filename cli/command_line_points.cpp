@@ -17,10 +17,14 @@ void add_number(CLI::App* app, const std::string& name, std::optional<std::uint6
 
 } // namespace
 
-void CommandReader::add_point(CLI::App* app, PointOptions& point) {
-    app->add_option("--set", point.settings, "A point grammar: the value of a constant, --set w=1/8 (repeatable)")
+void CommandReader::add_settings(CLI::App* app, std::vector<std::string>& settings) {
+    app->add_option("--set", settings, "A point grammar: the value of a constant, --set w=1/8 (repeatable)")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
+}
+
+void CommandReader::add_point(CLI::App* app, PointOptions& point) {
+    add_settings(app, point.settings);
     app->add_option("--query", point.queries, "A point grammar: the parameters of a query module, --query C=1/4")
         ->type_name("NAME=V,V")
         ->allow_extra_args(false);

@@ -38,6 +38,7 @@ private:
     void add_output(CLI::App* app, OutputTarget& output, const std::vector<std::string>& formats);
     void add_polygon(CLI::App* app, PolygonOptions& polygon, std::array<GridSideOptions, 2>* sides);
     void add_grid(CLI::App* app, SubdivideOptions& subdivide);
+    void add_settings(CLI::App* app, std::vector<std::string>& settings);
     void add_point(CLI::App* app, PointOptions& point);
     static CLI::Option* add_count(CLI::App* app, const std::string& name, std::uint64_t& count,
                                   const std::string& what);

@@ -49,6 +49,7 @@ struct OutputTarget {
 struct ValidateOptions {
     GrammarSource grammar;
     OutputTarget output;
+    std::vector<std::string> settings; ///< --set NAME=VALUE, of a point grammar
 };
 
 struct MasksOptions {

@@ -47,20 +47,6 @@ Rational exact_number(const std::string& option, const std::string& text) {
     throw failure(ExitCode::Usage, fmt::format("{}: the grammar has no {} `{}`", option, thing, name), hint);
 }
 
-std::map<std::string, Rational> constants(const PointGrammar& grammar, const std::vector<std::string>& settings) {
-    std::vector<std::string> names;
-    for (const Definition& definition : grammar.definitions)
-        if (definition.formals.empty()) names.push_back(definition.name);
-    std::map<std::string, Rational> values;
-    for (const std::string& setting : settings) {
-        const Assignment said = assignment("--set", setting, "w=1/8");
-        if (std::ranges::find(names, said.name) == names.end()) throw_unknown("--set", "constant", said.name, names);
-        if (!values.emplace(said.name, exact_number("--set", said.value)).second)
-            throw failure(ExitCode::Usage, fmt::format("--set {} stands twice", said.name));
-    }
-    return values;
-}
-
 std::vector<double> numbers(const std::string& text) {
     std::vector<double> values;
     for (std::size_t begin = 0; begin <= text.size();) {
@@ -162,6 +148,20 @@ ModuleWord word_of_polygon(const PointSystem& system, const InputPolygon& polygo
 
 } // namespace
 
+std::map<std::string, Rational> constant_values(const PointGrammar& grammar, const std::vector<std::string>& settings) {
+    std::vector<std::string> names;
+    for (const Definition& definition : grammar.definitions)
+        if (definition.formals.empty()) names.push_back(definition.name);
+    std::map<std::string, Rational> values;
+    for (const std::string& setting : settings) {
+        const Assignment said = assignment("--set", setting, "w=1/8");
+        if (std::ranges::find(names, said.name) == names.end()) throw_unknown("--set", "constant", said.name, names);
+        if (!values.emplace(said.name, exact_number("--set", said.value)).second)
+            throw failure(ExitCode::Usage, fmt::format("--set {} stands twice", said.name));
+    }
+    return values;
+}
+
 LoadedPoints load_points(const LoadedText& text, const SubdivideOptions& options) {
     ParsedPointGrammar parsed = parse_point_grammar(text.text, text.source);
     if (!parsed.grammar) throw Failure(ExitCode::Refused, to_string(parsed.errors));
@@ -171,7 +171,7 @@ LoadedPoints load_points(const LoadedText& text, const SubdivideOptions& options
         throw failure(ExitCode::Usage, "no control polygon, and the grammar has no axiom",
                       "give a CSV, JSON or OBJ file, or - for stdin");
     PointSettings settings;
-    settings.constants = constants(grammar, options.point.settings);
+    settings.constants = constant_values(grammar, options.point.settings);
     settings.start = from_polygon ? PointStart::Input : PointStart::Axiom;
     InputPolygon polygon;
     std::size_t polygon_size = 0;

@@ -10,6 +10,7 @@
 #include "internode/curve/homogeneous.h"
 #include "internode/point/interpreter.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,10 @@ struct LoadedPoints {
 /// \throw Failure: Refused with everything that is wrong in the grammar, File and Refused for the polygon, Usage for
 /// --set and --query that fit no constant and no query module
 [[nodiscard]] LoadedPoints load_points(const LoadedText& text, const SubdivideOptions& options);
+
+/// What --set says, by name. \throw Failure (Usage) for what is no constant of the grammar or no number
+[[nodiscard]] std::map<std::string, Rational> constant_values(const PointGrammar& grammar,
+                                                              const std::vector<std::string>& settings);
 
 /// Why a derivation ended, with its place in the grammar.
 [[nodiscard]] Failure derivation_failure(const LoadedPoints& loaded, const DerivationProblem& problem);

@@ -20,10 +20,15 @@ std::string base_name(const std::string& word) {
 constexpr std::array<std::string_view, 6> silent{"-o", "--output", "--html", "--coarse", "--picture", "--threads"};
 
 /// Options whose value is the user's text and no place.
-constexpr std::array<std::string_view, 5> literal{"-e", "--expression", "--word", "--word-u", "--word-v"};
+constexpr std::array<std::string_view, 7> literal{"-e",       "--expression", "--word", "--word-u",
+                                                  "--word-v", "--set",        "--query"};
 
 bool is_silent(std::string_view option) {
     return std::ranges::find(silent, option) != silent.end();
+}
+
+bool is_literal(std::string_view option) {
+    return std::ranges::find(literal, option) != literal.end();
 }
 
 } // namespace
@@ -38,7 +43,9 @@ std::string public_command_line(int argc, const char* const* argv) {
         }
         const bool joined = is_silent(std::string_view(word).substr(0, word.find('='))) || word.starts_with("-o");
         if (joined) continue;
-        const bool is_text = std::ranges::find(literal, std::string_view(argv[i - 1])) != literal.end();
+        const auto equals = word.find('=');
+        const bool is_text = is_literal(argv[i - 1]) ||
+                             (equals != std::string::npos && is_literal(std::string_view(word).substr(0, equals)));
         text += ' ';
         text += is_text ? "'" + word + "'" : base_name(word);
     }

@@ -3,6 +3,8 @@
 #include "cli/commands.h"
 #include "cli/load.h"
 #include "cli/output.h"
+#include "cli/point_options.h"
+#include "cli/points.h"
 #include "internode/grammar/parse_points.h"
 #include "internode/report/point_validation_json.h"
 #include "internode/report/point_validation_text.h"
@@ -31,7 +33,9 @@ Report report_of(IntervalGrammar grammar, const ValidateOptions& options, bool j
 Report report_of(PointGrammar grammar, const LoadedText& input, const ValidateOptions& options, bool json,
                  const Context& context) {
     grammar.name = display_name(grammar.name, options.grammar);
-    const PointValidation validation = make_point_validation(grammar);
+    PointSettings settings;
+    settings.constants = constant_values(grammar, options.settings);
+    const PointValidation validation = make_point_validation(grammar, settings);
     const GrammarSourceText source{input.text, input.source};
     return {json ? point_validation_json(validation, grammar, source, generator(context))
                  : point_validation_text(validation, grammar, source),
@@ -46,6 +50,9 @@ ExitCode run(const ValidateOptions& options, const Context& context) {
     const bool points = kind_of(input.text) == GrammarKind::Points;
     const std::variant<IntervalGrammar, PointGrammar> grammar =
         points ? std::variant<IntervalGrammar, PointGrammar>(load_point_grammar(input)) : load_grammar(input);
+    PointOptions point_options;
+    point_options.settings = options.settings;
+    if (!points) refuse_point_options(point_options);
     Output output(options.output.file); // before the work: a file that cannot be written is said at once
     const Report report = points ? report_of(std::get<PointGrammar>(grammar), input, options, json, context)
                                  : report_of(std::get<IntervalGrammar>(grammar), options, json, context);
