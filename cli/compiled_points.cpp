@@ -3,6 +3,7 @@
 #include "cli/compiled_points.h"
 
 #include "internode/grammar/parse_points.h"
+#include "internode/point/limits.h"
 
 #include <fmt/format.h>
 
@@ -37,17 +38,21 @@ std::string told(const LoadedPoints& loaded, const ExactStop& stop) {
     return fmt::format("line {}: {}", place.line, stop.reason);
 }
 
-/// \throw Failure (Refused) for more points than `most`
+/// \throw Failure (Refused) for more points than `most`, or more numbers than the interpreter may hold for them
 RefinementPlan plan_within(const CompiledPoints& compiled, std::uint64_t cycles, std::uint64_t most) {
     const auto refusal = [&](const std::string& size) {
         return failure(
             ExitCode::Refused,
-            fmt::format("after {} cycles the word would have {} points; {} modules are allowed", cycles, size, most),
+            fmt::format("after {} cycles the word would have {} points of {} coordinates; {} modules are allowed",
+                        cycles, size, compiled.dimension, most),
             "fewer cycles, or a larger --max-modules");
     };
     try {
         RefinementPlan plan = compiled.grammar->plan(static_cast<int>(cycles));
-        if (plan.output_size() > most) throw refusal(std::to_string(plan.output_size()));
+        const std::uint64_t size = plan.output_size();
+        if (size > most ||
+            (compiled.dimension > values_per_module && size > most / compiled.dimension * values_per_module))
+            throw refusal(std::to_string(size));
         return plan;
     } catch (const std::length_error&) {
         throw refusal("more than 2^62");

@@ -3,6 +3,7 @@
 #include "internode/grammar/limits.h"
 #include "cli/commands.h"
 #include "cli/output.h"
+#include "cli/point_run.h"
 #include "internode/curve/curve.h"
 #include "internode/interval/validity.h"
 #include "internode/io/limits.h"
@@ -34,6 +35,10 @@ ExitCode run(const LimitsOptions&, const Context&) {
     text += row("words in a table of masks", max_table_words, "words");
     text += row("letters in the rules of steps at once (masks --steps)", max_fused_letters, "letters");
     text += row("words drawn on a circle", max_drawn_words, "words");
+    text += row("cycles of a point grammar (--steps)", max_cycles, "cycles");
+    text += row("modules of a word in a derivation tree (--tree)", max_tree_row, "modules");
+    text += row("modules of all words in a derivation tree (--tree)", max_tree_modules, "modules");
+    text += row("levels in one picture", max_level_panels, "levels");
     text += row("points of a refinement (--max-points)", SubdivideOptions{}.polygon.max_points, "points");
     text += row("letters of `word` (--max-letters)", WordOptions{}.max_letters, "letters");
     write_output("-", text);

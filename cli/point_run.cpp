@@ -23,13 +23,35 @@ std::string line_of(const LoadedPoints& loaded, const ModuleWord& word, std::siz
     return to_string(word, loaded.system.grammar(), loaded.system.layout(passes)) + '\n';
 }
 
-/// One cycle more, `before` cycles after the start.
-ModuleWord next_cycle(const LoadedPoints& loaded, ModuleWord word, std::uint64_t before) {
-    const std::uint64_t steps = loaded.system.cycle().size();
-    for (std::uint64_t step = before * steps; step < (before + 1) * steps; ++step)
-        word = whole(loaded, derive_step(loaded.system, word, step, loaded.derive));
-    return word;
-}
+/// A derivation step by step; the work of all steps together stays within its bound.
+class Steps {
+public:
+    explicit Steps(const LoadedPoints& loaded)
+        : loaded_(loaded)
+        , left_(loaded.derive)
+        , word_(loaded.word) {}
+
+    [[nodiscard]] const ModuleWord& word() const { return word_; }
+    [[nodiscard]] std::uint64_t taken() const { return taken_; }
+
+    void step() { take(derive_step(loaded_.system, word_, taken_, left_)); }
+    void step(StepRecord& record) { take(derive_step(loaded_.system, word_, taken_, left_, record)); }
+    void cycle() {
+        for (std::size_t i = 0; i < loaded_.system.cycle().size(); ++i) step();
+    }
+
+private:
+    void take(Derivation next) {
+        left_.max_work -= std::min(left_.max_work, next.work);
+        word_ = whole(loaded_, std::move(next));
+        ++taken_;
+    }
+
+    const LoadedPoints& loaded_;
+    DeriveOptions left_;
+    ModuleWord word_;
+    std::uint64_t taken_ = 0;
+};
 
 } // namespace
 
@@ -55,11 +77,11 @@ PointStrands drawn(const LoadedPoints& loaded, const ModuleWord& word) {
 std::vector<PictureLevel> all_levels(const LoadedPoints& loaded, std::uint64_t cycles) {
     refuse_growth(loaded, cycles);
     const std::uint64_t first_shown = cycles < max_level_panels ? 1 : cycles - (max_level_panels - 2);
-    std::vector<PictureLevel> levels{{0, drawn(loaded, loaded.word)}};
-    ModuleWord word = loaded.word;
+    Steps steps(loaded);
+    std::vector<PictureLevel> levels{{0, drawn(loaded, steps.word())}};
     for (std::uint64_t cycle = 1; cycle <= cycles; ++cycle) {
-        word = next_cycle(loaded, std::move(word), cycle - 1);
-        if (cycle >= first_shown) levels.push_back({cycle, drawn(loaded, word)});
+        steps.cycle();
+        if (cycle >= first_shown) levels.push_back({cycle, drawn(loaded, steps.word())});
     }
     return levels;
 }
@@ -70,12 +92,13 @@ void write_word(Sink& sink, const LoadedPoints& loaded, const ModuleWord& word) 
 
 void write_trace(Sink& sink, const LoadedPoints& loaded, std::uint64_t cycles) {
     refuse_growth(loaded, cycles);
-    ModuleWord word = loaded.word;
-    sink.write(line_of(loaded, word, 0));
-    for (std::uint64_t step = 0; step < cycles * loaded.system.cycle().size(); ++step) {
-        word = whole(loaded, derive_step(loaded.system, word, step, loaded.derive));
-        sink.write(line_of(loaded, word, 0));
+    Steps steps(loaded);
+    sink.write(line_of(loaded, steps.word(), 0));
+    while (steps.taken() < cycles * loaded.system.cycle().size()) {
+        steps.step();
+        sink.write(line_of(loaded, steps.word(), 0));
     }
+    ModuleWord word = steps.word();
     for (std::size_t pass = 0; pass < loaded.system.grammar().interpretations.size(); ++pass) {
         word = whole(loaded, interpret_pass(loaded.system, word, pass, loaded.derive));
         sink.write(line_of(loaded, word, pass + 1));
@@ -88,9 +111,10 @@ DerivationTree all_steps(const LoadedPoints& loaded, std::uint64_t cycles) {
     DerivationTree tree;
     tree.words.push_back(loaded.word);
     tree.row_names.emplace_back(loaded.start == "the axiom" ? "axiom" : "polygon");
+    Steps steps(loaded);
     for (std::uint64_t step = 0; step < cycles * table_of.size(); ++step) {
-        StepRecord& record = tree.steps.emplace_back();
-        tree.words.push_back(whole(loaded, derive_step(loaded.system, tree.words.back(), step, loaded.derive, record)));
+        steps.step(tree.steps.emplace_back());
+        tree.words.push_back(steps.word());
         const auto table = table_of[step % table_of.size()];
         tree.row_names.push_back(fmt::format("step {}", step + 1));
         if (table) tree.row_names.back() += fmt::format(" ({})", loaded.system.grammar().tables[*table]);
