@@ -157,6 +157,14 @@ TEST(JointRadius, BoundsHoldForAllSmallSchemes) {
                 }
 }
 
+TEST(JointRadius, LongCoefficientsAreBoundedByNormsAlone) {
+    const Rational third = Rational(1, 3) + Rational(1, Integer(1) << 2'000);
+    const JointRadius radius = joint_radius({third, Rational(1) - third}, 2);
+    EXPECT_EQ(radius.lower, 0);
+    EXPECT_LT(radius.upper, 1);
+    EXPECT_TRUE(radius.contracts_after);
+}
+
 TEST(JointRadius, PositiveSchemesAreExact) {
     // 2 - cos ω > 0: the scheme behind the four-point scheme.
     const JointRadius radius = joint_radius({Rational(-1, 2), Rational(2), Rational(-1, 2)}, 2);

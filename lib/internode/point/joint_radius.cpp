@@ -14,11 +14,12 @@ namespace {
 constexpr std::size_t max_coefficients = 8'192;        // of S^k
 constexpr std::size_t max_bits = std::size_t{1} << 22; // of all coefficients of S^k together
 constexpr std::size_t max_steps = 24;
-constexpr std::size_t max_products = 62; // of matrices: binary words of up to five letters
-constexpr std::size_t max_matrix = 12;   // rows, for products
-constexpr std::size_t max_centre = 40;   // rows, for the one matrix of a positive scheme
-constexpr std::size_t root_bits = 64;    // of a k-th root
-constexpr int modulus_bits = 64;         // of the roots of a characteristic polynomial
+constexpr std::size_t max_products = 62;       // of matrices: binary words of up to five letters
+constexpr std::size_t max_matrix = 12;         // rows, for products
+constexpr std::size_t max_centre = 40;         // rows, for the one matrix of a positive scheme
+constexpr std::size_t max_spectral_bits = 128; // of a coefficient, for roots of characteristic polynomials
+constexpr std::size_t root_bits = 64;          // of a k-th root
+constexpr int modulus_bits = 64;               // of the roots of a characteristic polynomial
 
 /// A mask with a common denominator.
 struct ScaledMask {
@@ -93,6 +94,14 @@ void bound_by_norms(const ScaledMask& b, std::size_t arity, JointRadius& radius)
         power = one_more_step(b, power, arity);
         period *= arity;
     }
+}
+
+/// Whether the coefficients are short enough for characteristic polynomials and their roots.
+bool has_short_coefficients(const ScaledMask& b) {
+    return mpz_sizeinbase(b.denominator.get_mpz_t(), 2) <= max_spectral_bits &&
+           std::ranges::all_of(b.numerators, [](const Integer& coefficient) {
+               return mpz_sizeinbase(coefficient.get_mpz_t(), 2) <= max_spectral_bits;
+           });
 }
 
 using Matrix = std::vector<std::vector<Integer>>;
@@ -223,7 +232,7 @@ JointRadius joint_radius(const std::vector<Rational>& coefficients, std::size_t 
     const ScaledMask b = scaled(coefficients);
     JointRadius radius;
     bound_by_norms(b, arity, radius);
-    if (bounds == RadiusBounds::Norms) return radius;
+    if (bounds == RadiusBounds::Norms || !has_short_coefficients(b)) return radius;
     bound_by_products(b, arity, radius);
     bound_by_centre(b, arity, radius);
     return radius;

@@ -34,7 +34,8 @@ struct JointRadius {
 /// Norms alone are cheap and leave `lower` at 0; spectral radii cost some characteristic polynomials.
 enum class RadiusBounds { Norms, NormsAndSpectra };
 
-/// Bounds for coefficients b_0 …, b_n of a scheme of arity m >= 2, at least one of them. Cost: bounded, about 0.1 s.
+/// Bounds for coefficients b_0 …, b_n of a scheme of arity m >= 2, at least one of them; of more than 128 bits, by
+/// norms alone. Cost: bounded, about 0.1 s.
 [[nodiscard]] JointRadius joint_radius(const std::vector<Rational>& coefficients, std::size_t arity,
                                        RadiusBounds bounds = RadiusBounds::NormsAndSpectra);
 
