@@ -93,8 +93,8 @@ CommandLine read_command_line(int argc, const char* const* argv) {
             if constexpr (requires { options.polygon; }) settle_places(options.grammar, options.polygon);
             if constexpr (requires { options.grammar; }) check_grammar(options.grammar);
             if constexpr (
-                requires { options.polygon; } && !requires { options.point; })
-                require_polygon(options.polygon); // the axiom of a point grammar may stand for it
+                requires { options.polygon; } && !requires { options.point; } && !requires { options.rules; })
+                require_polygon(options.polygon); // a point grammar may have an axiom, or be asked for its rules
         },
         line.request);
     return line;

@@ -51,15 +51,17 @@ void CommandReader::add_curve_commands() {
 
 void CommandReader::add_pyramid_commands() {
     CLI::App* reverse = add(
-        "reverse", with_examples("Take a polygon apart: a coarse polygon and the details of every step back to it.\n"
-                                 "--word names the intervals of the coarse polygon.",
-                                 "reverse @fibonacci data/curves/iceland-coast.csv -d 3 -n 5 --closed --word LSLLS "
-                                 "--repeat --resample --picture levels.svg",
-                                 "reverse @fibonacci data/curves/leaf.csv -d 2 -n 2 --closed --word LS --repeat "
-                                 "--keep 5 -o pyramid.json"));
+        "reverse",
+        with_examples("Take a polygon apart: a coarse polygon and the details of every step back to it.\n"
+                      "--word names the intervals of the coarse polygon. With a point grammar of a ring: by its local\n"
+                      "reverse rules, or by its own rules when they reduce.",
+                      "reverse @fibonacci data/curves/iceland-coast.csv -d 3 -n 5 --closed --word LSLLS "
+                      "--repeat --resample --picture levels.svg",
+                      "reverse @fibonacci data/curves/leaf.csv -d 2 -n 2 --closed --word LS --repeat "
+                      "--keep 5 -o pyramid.json"));
     add_grammar(reverse, reverse_.grammar, true);
     add_polygon(reverse, reverse_.polygon, nullptr);
-    add_output(reverse, reverse_.output, {"text", "json"});
+    add_output(reverse, reverse_.output, {"text", "json", "csv", "svg", "lsys"});
     const auto levels = [this](const std::string& text) { reverse_.levels = whole_number(text); };
     const auto keep = [this](const std::string& text) { reverse_.keep = whole_number(text); };
     const CLI::Validator whole(whole_number_problem, "");
@@ -68,8 +70,21 @@ void CommandReader::add_pyramid_commands() {
         ->check(whole);
     reverse->add_flag_callback(
         "--local", [this] { reverse_.local = true; }, "Local filters instead of least squares");
-    add_count(reverse, "--window", reverse_.window, "Intervals of a local filter (default 5)")
+    const auto window = [this](const std::string& text) { reverse_.window = whole_number(text); };
+    reverse
+        ->add_option_function<std::string>(
+            "--window", window,
+            "Intervals of a local filter (default 5); fine points of a point grammar's reverse rule (the fewest)")
+        ->type_name("N")
         ->check(CLI::Range(1, 64));
+    const auto phase = [this](const std::string& text) { reverse_.phase = whole_number(text); };
+    reverse
+        ->add_option_function<std::string>("--phase", phase,
+                                           "A point grammar: the point at which the ring begins to be parted")
+        ->type_name("N")
+        ->check(whole);
+    add_settings(reverse, reverse_.settings);
+    reverse->add_flag("--rules", reverse_.rules, "A point grammar: write its reverse rules as a grammar, and stop");
     auto* threshold = reverse->add_option_function<std::string>(
         "--threshold", [this](const std::string& text) { reverse_.threshold = parse_double(text); },
         "Keep only details at least this long");

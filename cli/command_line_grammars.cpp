@@ -22,13 +22,20 @@ void CommandReader::add_grammar_commands() {
 
     CLI::App* masks =
         add("masks", with_examples("Exact masks, window stencils and the decomposition graph of a degree.\n"
-                                   "With an axiom: the words reachable from it; without: the persistent words.",
+                                   "With an axiom: the words reachable from it; without: the persistent words.\n"
+                                   "Of a point grammar: its mask, and the matrix of one cycle (CSV: exact fractions).",
                                    "masks @fibonacci -d 2", "masks @fibonacci -d 3 --json -o masks.json"));
     add_grammar(masks, masks_.grammar, false);
-    add_output(masks, masks_.output, {"text", "json", "mtx", "dot", "svg", "c", "glsl"});
-    masks->add_option("-d,--degree", masks_.degree, "Degree of the B-spline, 1 to 12")
-        ->required()
+    add_output(masks, masks_.output, {"text", "json", "mtx", "dot", "svg", "c", "glsl", "csv"});
+    masks->add_option("-d,--degree", masks_.degree, "Degree of the B-spline, 1 to 12 (interval grammars need it)")
         ->check(CLI::Range(1, max_degree));
+    masks
+        ->add_option_function<std::string>(
+            "--points", [this](const std::string& text) { masks_.points = whole_number(text); },
+            "A point grammar: points of the polygon of the matrix (default 8)")
+        ->type_name("N")
+        ->check(CLI::Validator(whole_number_problem, ""));
+    add_settings(masks, masks_.settings);
     masks->add_flag("--all", masks_.all, "All n^(d+1) words");
     masks->add_option("--word", masks_.word, "With --matrix, --automaton, c, glsl: the word (default: the axiom)")
         ->check(CLI::Validator(empty_word_problem, ""));

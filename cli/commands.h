@@ -5,6 +5,7 @@
 #pragma once
 
 #include "cli/exit_code.h"
+#include "cli/load.h"
 #include "cli/options.h"
 #include "internode/report/generator.h"
 
@@ -20,6 +21,8 @@ using Context = CommonOptions;
 
 ExitCode run(const ValidateOptions& options, const Context& context);
 ExitCode run(const MasksOptions& options, const Context& context);
+/// `masks` with a point grammar.
+ExitCode masks_points(const LoadedText& grammar, const MasksOptions& options, const Context& context);
 ExitCode run(const SubdivideOptions& options, const Context& context);
 /// `subdivide` with --u and --v.
 ExitCode subdivide_grid(const SubdivideOptions& options, const Context& context);
@@ -27,6 +30,8 @@ ExitCode subdivide_grid(const SubdivideOptions& options, const Context& context)
 ExitCode subdivide_points(const LoadedText& grammar, const SubdivideOptions& options, const Context& context);
 ExitCode run(const ConvergeOptions& options, const Context& context);
 ExitCode run(const ReverseOptions& options, const Context& context);
+/// `reverse` with a point grammar.
+ExitCode reverse_points(const LoadedText& grammar, const ReverseOptions& options, const Context& context);
 ExitCode run(const InferOptions& options, const Context& context);
 ExitCode run(const ComposeOptions& options, const Context& context);
 ExitCode run(const WordOptions& options, const Context& context);

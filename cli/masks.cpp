@@ -4,6 +4,7 @@
 #include "cli/load.h"
 #include "cli/output.h"
 #include "internode/curve/curve.h"
+#include "internode/grammar/parse_points.h"
 #include "internode/io/matrix_market.h"
 #include "internode/report/automaton_code.h"
 #include "internode/report/graph_dot.h"
@@ -90,6 +91,15 @@ std::string automaton_text(const std::string& format, const IntervalSystem& syst
     return automaton_json(automaton, generator(context));
 }
 
+void check_interval_options(const MasksOptions& options) {
+    if (options.points || !options.settings.empty())
+        throw failure(ExitCode::Usage,
+                      fmt::format("{} belongs to point grammars", options.points ? "--points" : "--set"),
+                      "-d says the degree");
+    if (options.degree == 0)
+        throw failure(ExitCode::Usage, "-d is needed: the degree of the B-spline", "for example -d 2");
+}
+
 /// The graph on a circle, or a word about its size.
 std::string picture(const FactorGraph& graph, const IntervalSystem& system, const MasksOptions& options,
                     const Context& context) {
@@ -106,6 +116,9 @@ std::string picture(const FactorGraph& graph, const IntervalSystem& system, cons
 } // namespace
 
 ExitCode run(const MasksOptions& options, const Context& context) {
+    const LoadedText grammar = load_grammar_text(options.grammar);
+    if (kind_of(grammar.text) == GrammarKind::Points) return masks_points(grammar, options, context);
+    check_interval_options(options);
     const std::string format = chosen_format(options.output, {"text", "json", "mtx", "dot", "svg", "c", "glsl"},
                                              options.automaton ? "json" : "text");
     const bool is_code = format == "c" || format == "glsl";
@@ -113,7 +126,7 @@ ExitCode run(const MasksOptions& options, const Context& context) {
         throw failure(ExitCode::Usage, fmt::format("--automaton has no {} form", format), "use JSON, c or glsl");
     if (options.steps != 1 && !options.automaton && !is_code)
         throw failure(ExitCode::Usage, "--steps belongs to --automaton, --format c and --format glsl");
-    const IntervalSystem system = load_system(options.grammar);
+    const IntervalSystem system = load_system(grammar, options.grammar);
     if (system.grammar().axiom && !options.all && options.word.empty())
         check_fits(system, options.degree, *system.grammar().axiom, "the axiom");
     const WordChoice choice = options.all ? WordChoice::All : WordChoice::Default;

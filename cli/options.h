@@ -58,8 +58,10 @@ struct MasksOptions {
     int degree = 0;
     bool all = false;
     bool automaton = false;
-    std::uint64_t steps = 1; ///< of an automaton: so many at once
-    std::string word;        ///< of --matrix and of an automaton; empty = the axiom
+    std::uint64_t steps = 1;             ///< of an automaton: so many at once
+    std::string word;                    ///< of --matrix and of an automaton; empty = the axiom
+    std::optional<std::uint64_t> points; ///< of a point grammar: of the polygon of the matrix
+    std::vector<std::string> settings;   ///< of a point grammar: --set NAME=VALUE
 };
 
 /// How the word of a polygon is said on the command line.
@@ -130,13 +132,16 @@ struct ReverseOptions {
     OutputTarget output;
     std::optional<std::uint64_t> levels;
     bool local = false;
-    std::uint64_t window = 5;
+    std::optional<std::uint64_t> window; ///< intervals of a local filter; fine points of a reverse rule
     std::optional<double> threshold;
     std::optional<std::uint64_t> keep;
     FitOption fit = FitOption::Refuse;
-    bool unclamped = false; ///< open ends stay as they are
-    std::string coarse;     ///< a file for the coarse polygon; empty = none
-    std::string picture;    ///< a file for the picture of all levels; empty = none
+    bool unclamped = false;             ///< open ends stay as they are
+    std::string coarse;                 ///< a file for the coarse polygon; empty = none
+    std::string picture;                ///< a file for the picture of all levels; empty = none
+    std::optional<std::uint64_t> phase; ///< of a point grammar: where the partition of the ring begins
+    bool rules = false;                 ///< of a point grammar: its reverse rules alone
+    std::vector<std::string> settings;  ///< of a point grammar: --set NAME=VALUE
 };
 
 struct InferOptions {

@@ -2,6 +2,7 @@
 
 #include "cli/points.h"
 
+#include "cli/point_system.h"
 #include "cli/polygon.h"
 #include "internode/algebra/rational.h"
 #include "internode/grammar/diagnostic.h"
@@ -118,15 +119,6 @@ Diagnostic diagnostic_of(const LoadedText& text, const SourcePlace& place, const
     whole.message = message;
     whole.hint = hint;
     return whole;
-}
-
-PointSystem checked_system(const LoadedText& text, PointGrammar grammar, const PointSettings& settings) {
-    CheckedPointSystem checked = make_point_system(std::move(grammar), settings);
-    if (checked.system) return *std::move(checked.system);
-    std::vector<Diagnostic> errors;
-    for (const PointProblem& problem : checked.problems)
-        errors.push_back(diagnostic_of(text, problem.place, problem.message, problem.hint));
-    throw Failure(ExitCode::Refused, to_string(errors));
 }
 
 void check_ends(const InputPolygon& polygon, bool ring) {

@@ -5,6 +5,8 @@
 #include "cli/curve_output.h"
 #include "cli/load.h"
 #include "cli/output.h"
+#include "cli/places.h"
+#include "internode/grammar/parse_points.h"
 #include "internode/io/csv.h"
 #include "internode/report/pyramid_report.h"
 
@@ -20,8 +22,9 @@ Pyramid kept_details(const Pyramid& pyramid, const ReverseOptions& options) {
 }
 
 Analysis analysis_of(const LoadedContour& contour, const ReverseOptions& options) {
+    constexpr std::uint64_t usual_window = 5;
     const internode::ReverseOptions left_inverse{options.local ? ReverseMethod::Local : ReverseMethod::LeastSquares,
-                                                 static_cast<std::size_t>(options.window)};
+                                                 static_cast<std::size_t>(options.window.value_or(usual_window))};
     try {
         return analyse(contour.coarse, contour.levels, contour.dimension, contour.points, left_inverse);
     } catch (const std::range_error& error) {
@@ -46,13 +49,27 @@ void say_what_was_done(const PyramidReport& report, bool table_is_shown, const C
         say(context, fmt::format("{}: {}\n", report.source, to_string(report.fitting)));
 }
 
+void refuse_point_options(const ReverseOptions& options) {
+    const char* const name = options.rules               ? "--rules"
+                             : options.phase             ? "--phase"
+                             : !options.settings.empty() ? "--set"
+                                                         : nullptr;
+    if (name != nullptr)
+        throw failure(ExitCode::Usage, fmt::format("{} belongs to point grammars", name),
+                      "a text whose first statement is `points NAME`");
+}
+
 } // namespace
 
 ExitCode run(const ReverseOptions& options, const Context& context) {
+    const LoadedText grammar = load_grammar_text(options.grammar);
+    if (kind_of(grammar.text) == GrammarKind::Points) return reverse_points(grammar, options, context);
+    refuse_point_options(options);
+    require_polygon(options.polygon);
     const std::string format = chosen_format(options.output, {"text", "json"}, "text");
     const std::string coarse_format = chosen_format({options.coarse, {}}, {"csv", "json"}, "csv");
     (void)chosen_format({options.picture, {}}, {"svg"}, "svg");
-    const IntervalSystem system = load_system(options.grammar);
+    const IntervalSystem system = load_system(grammar, options.grammar);
     const LoadedContour contour = load_contour(system, options);
     Output output(options.output.file);
     std::optional<Output> coarse;

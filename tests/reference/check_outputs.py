@@ -771,6 +771,51 @@ def check_pyramid(document):
     require(document["error"]["largest"] >= document["error"]["root_mean_square"], "a largest error below the mean")
 
 
+def check_point_masks(document):
+    mask, matrix = document["mask"], document["matrix"]
+    rows, columns = matrix["rows"], matrix["columns"]
+    for row in rows:
+        places = [entry["column"] for entry in row]
+        require(places == sorted(set(places)) and all(column < columns for column in places), "columns of a row")
+    if mask and document["closed"]:
+        arity, dense = mask["arity"], [[Fraction(0)] * columns for _ in range(mask["arity"] * columns)]
+        require(len(rows) == len(dense), "the matrix does not have the rows of the arity")
+        for j in range(columns):
+            for i, weight in enumerate(mask["coefficients"]):
+                dense[(arity * j + mask["first"] + i) % len(dense)][j] += Fraction(weight)
+        for row, expected in zip(rows, dense):
+            written = {entry["column"]: Fraction(entry["weight"]) for entry in row}
+            require(written == {j: weight for j, weight in enumerate(expected) if weight}, "the matrix is not the mask's")
+
+
+def check_cells(document):
+    states, rows = document["states"], document["rows"]
+    require(len({len(row) for row in rows}) <= 1, "rows of several widths")
+    for state in states:
+        for child in state["children"]:
+            require(child["state"] < len(states) and child["row"] < len(rows), "a child outside the tables")
+    require(all(state < len(states) for state in document["start"]), "a start state outside the tables")
+    for row in rows:
+        require(sum(map(Fraction, row)) == 1, "a row is not affine")
+
+
+def check_reversal(document):
+    counts = [document["fitting"]["points"]] + [level["points"] for level in document["levels"]]
+    require(len(document["points"]) == counts[-1], "the points are not those of the last level")
+    require(len({len(point) for point in document["points"]}) == 1, "points of several dimensions")
+    rule = document["rule"]
+    for fine, coarse in zip(counts, counts[1:]):
+        require(coarse < fine or (rule and rule["arity"] == 1), "a level is not coarser than the one above it")
+        require(not rule or coarse * rule["arity"] == fine, "a level does not have the points of its arity")
+    for level in document["levels"]:
+        require((level["rms_error"] is None) == (rule is None), "errors are known with a rule")
+        require(rule is None or level["rms_error"] <= level["largest_error"], "a mean above the largest error")
+    if rule:
+        weights = [Fraction(weight) for weight in rule["weights"]]
+        require(sum(weights) == 1, "the weights of the rule do not sum to 1")
+        require(sum(map(abs, weights)) == Fraction(rule["gain"]), "the gain is not the sum of the absolute weights")
+
+
 def step_rows(system, word, degree, closed):
     """P in doubles: each new point as {old point: weight}, by scattering the basis functions."""
     letters = len(system.rewritten(word))
@@ -849,6 +894,9 @@ CHECKS = {
     "internode-grid": ("grid", check_grid),
     "internode-points": ("points", check_points),
     "internode-pyramid": ("pyramid", check_pyramid),
+    "internode-reversal": ("reversal", check_reversal),
+    "internode-point-masks": ("point-masks", check_point_masks),
+    "internode-cells": ("cells", check_cells),
 }
 
 

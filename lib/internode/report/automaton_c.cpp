@@ -21,7 +21,18 @@ constexpr std::string_view usage = R"( *
  */
 )";
 
-constexpr std::string_view functions = R"(
+constexpr std::string_view point_usage = R"( *
+ * Compile with -ffp-contract=off: cc -O3 -ffp-contract=off, with any -march; fused multiply-adds would change the last
+ * bits. C99 and C++11.
+ *
+ * A cell is a point; its state says how it is replaced. @_start has the states of the polygon to begin with:
+ *
+ *     size_t count = @_count(states, cells);
+ *     @_step(points, states, cells, dimension, new_points, new_states);
+ */
+)";
+
+constexpr std::string_view cells_function = R"(
 /* The states of the cells of a word of `letters` symbols: a cell a letter when closed, `degree` fewer when open. How
  * many they are; 0 when no polygon has this word, or the tables do not know one of its windows. */
 static inline size_t @_cells(const @_symbol *word, size_t letters, int closed, @_state *states)
@@ -43,7 +54,9 @@ static inline size_t @_cells(const @_symbol *word, size_t letters, int closed, @
     }
     return cells;
 }
+)";
 
+constexpr std::string_view step_functions = R"(
 /* How many points and states a step makes. */
 static inline size_t @_count(const @_state *states, size_t cells)
 {
@@ -103,33 +116,62 @@ std::string windows_table(const CodeTables& tables, std::size_t letters) {
     return text + "}\n};\n";
 }
 
-std::string c_tables(const CodeTables& tables, const AutomatonExport& exported) {
-    const StencilAutomaton& automaton = exported.automaton;
+std::string automaton_tables(const CodeTables& tables, const CellAutomaton& automaton) {
     const std::string& name = tables.name;
-    const std::size_t letters = 2 * static_cast<std::size_t>(automaton.degree()) - 1;
-    return "typedef " + unsigned_type(automaton.state_count()) + " " + name + "_state;\ntypedef " +
-           unsigned_type(exported.system.alphabet().size()) + " " + name + "_symbol;\n\nenum { " + name +
-           "_degree = " + std::to_string(automaton.degree()) + ", " + name +
-           "_states = " + std::to_string(automaton.state_count()) +
-           " };\n\n/* Of each state: the intervals around its own, and how many cells it lies left of that one. */\n" +
-           windows_table(tables, letters) + table("uint8_t", name + "_lead", tables.lead) +
+    const std::size_t width = tables.degree + 1;
+    const std::uint32_t largest = *std::ranges::max_element(tables.lead);
+    return table(unsigned_type(largest), name + "_lead", tables.lead) +
            "\n/* The first child of each state; the state and the row of weights of each child. */\n" +
            table("uint32_t", name + "_first", tables.first) + table(name + "_state", name + "_child", tables.child) +
            table(unsigned_type(automaton.row_count()), name + "_row", tables.row) + "\nstatic const double " + name +
-           "_weights[" + std::to_string(automaton.row_count()) + "][" + std::to_string(automaton.width()) +
-           "] = " + weight_initializer(automaton, true, "") + ";\n";
+           "_weights[" + std::to_string(automaton.row_count()) + "][" + std::to_string(width) +
+           "] = " + weight_initializer(automaton, width, true, "") + ";\n";
+}
+
+std::string enumeration(const CodeTables& tables, const CellAutomaton& automaton) {
+    return "enum { " + tables.name + "_degree = " + std::to_string(tables.degree) + ", " + tables.name +
+           "_states = " + std::to_string(automaton.state_count()) + " };\n";
+}
+
+std::string c_tables(const CodeTables& tables, const AutomatonExport& exported) {
+    const StencilAutomaton& automaton = exported.automaton;
+    const std::string& name = tables.name;
+    return "typedef " + unsigned_type(automaton.state_count()) + " " + name + "_state;\ntypedef " +
+           unsigned_type(exported.system.alphabet().size()) + " " + name + "_symbol;\n\n" +
+           enumeration(tables, automaton) +
+           "\n/* Of each state: the intervals around its own, and how many cells it lies left of that one. */\n" +
+           windows_table(tables, 2 * tables.degree - 1) + automaton_tables(tables, automaton);
+}
+
+std::string c_tables(const CodeTables& tables, const CellExport& exported) {
+    const CellAutomaton& automaton = exported.compiled.automaton();
+    return "typedef " + unsigned_type(automaton.state_count()) + " " + tables.name + "_state;\n\n" +
+           enumeration(tables, automaton) + "\n/* The states of the cells of the polygon that the command names. */\n" +
+           table(tables.name + "_state", tables.name + "_start", exported.compiled.cells()) +
+           "\n/* Of each state: its first parent is cell + lead - degree. */\n" + automaton_tables(tables, automaton);
+}
+
+std::string guarded(const std::string& name, const std::string& body) {
+    const std::string guard = "INTERNODE_" + name + "_H";
+    return "#ifndef " + guard + "\n#define " + guard +
+           "\n\n#include <stddef.h>\n#include <stdint.h>\n\n#ifdef __FAST_MATH__\n"
+           "#error \"-ffast-math reorders sums; compile without it\"\n#endif\n\n" +
+           body + "\n#endif\n";
 }
 
 } // namespace
 
 std::string automaton_c(const AutomatonExport& automaton, const Generator& generator) {
     const CodeTables tables = code_tables(automaton);
-    const std::string guard = "INTERNODE_" + tables.name + "_H";
-    return opening_comment(automaton, generator) + with_name(usage, tables.name) + "#ifndef " + guard + "\n#define " +
-           guard +
-           "\n\n#include <stddef.h>\n#include <stdint.h>\n\n#ifdef __FAST_MATH__\n"
-           "#error \"-ffast-math reorders sums; compile without it\"\n#endif\n\n" +
-           c_tables(tables, automaton) + with_name(functions, tables.name) + "\n#endif\n";
+    return opening_comment(automaton, generator) + with_name(usage, tables.name) +
+           guarded(tables.name, c_tables(tables, automaton) + with_name(cells_function, tables.name) +
+                                    with_name(step_functions, tables.name));
+}
+
+std::string cells_c(const CellExport& cells) {
+    const CodeTables tables = code_tables(cells);
+    return opening_comment(cells) + with_name(point_usage, tables.name) +
+           guarded(tables.name, c_tables(tables, cells) + with_name(step_functions, tables.name));
 }
 
 } // namespace internode

@@ -11,7 +11,7 @@ constexpr std::string_view usage = R"( *
  * Paste it below `#version 430`: one step of subdivision as a compute shader, one invocation a cell. Define
  * INTERNODE_DOUBLE for double, INTERNODE_FUNCTION_ONLY to declare buffers and main() yourself.
  *
- * A cell is a control point with the leftmost interval of its support. Before a step, @_places[cell] is
+ * A cell is a control point; its first parent is cell + lead - degree. Before a step, @_places[cell] is
  * the number of children of all cells before it: the sum of @_first[state + 1] - @_first[state].
  */
 #ifdef INTERNODE_DOUBLE
@@ -70,26 +70,32 @@ std::string table(const std::string& name, const std::vector<std::uint32_t>& val
            ";\n";
 }
 
-std::string weights(const CodeTables& tables, const StencilAutomaton& automaton) {
+std::string weights(const CodeTables& tables, const CellAutomaton& automaton) {
+    const std::size_t width = tables.degree + 1;
     const std::string declaration =
-        " " + tables.name + "_weights[" + std::to_string(automaton.row_count() * automaton.width()) + "] = ";
-    return "#ifdef INTERNODE_DOUBLE\nconst double" + declaration + weight_initializer(automaton, false, "lf") +
-           ";\n#else\nconst float" + declaration + weight_initializer(automaton, false, "") + ";\n#endif\n";
+        " " + tables.name + "_weights[" + std::to_string(automaton.row_count() * width) + "] = ";
+    return "#ifdef INTERNODE_DOUBLE\nconst double" + declaration + weight_initializer(automaton, width, false, "lf") +
+           ";\n#else\nconst float" + declaration + weight_initializer(automaton, width, false, "") + ";\n#endif\n";
+}
+
+std::string shader(const CodeTables& tables, const CellAutomaton& automaton, std::string_view lead_comment) {
+    const std::string& name = tables.name;
+    return with_name(usage, name) + "const uint " + name + "_degree = " + std::to_string(tables.degree) +
+           "u;\n\n/* Of each state: " + std::string(lead_comment) +
+           ", and its first child; of each child: its state and row. */\n" + table(name + "_lead", tables.lead) +
+           table(name + "_first", tables.first) + table(name + "_child", tables.child) +
+           table(name + "_row", tables.row) + "\n" + weights(tables, automaton) + with_name(code, name);
 }
 
 } // namespace
 
 std::string automaton_glsl(const AutomatonExport& automaton, const Generator& generator) {
-    const CodeTables tables = code_tables(automaton);
-    const std::string& name = tables.name;
-    return opening_comment(automaton, generator) + with_name(usage, name) + "const uint " + name +
-           "_degree = " + std::to_string(automaton.automaton.degree()) +
-           "u;\n\n/* Of each state: how many cells it lies left of its interval, and its first child; of each child: "
-           "its "
-           "state and row. */\n" +
-           table(name + "_lead", tables.lead) + table(name + "_first", tables.first) +
-           table(name + "_child", tables.child) + table(name + "_row", tables.row) + "\n" +
-           weights(tables, automaton.automaton) + with_name(code, name);
+    return opening_comment(automaton, generator) +
+           shader(code_tables(automaton), automaton.automaton, "how many cells it lies left of its interval");
+}
+
+std::string cells_glsl(const CellExport& cells) {
+    return opening_comment(cells) + shader(code_tables(cells), cells.compiled.automaton(), "its lead");
 }
 
 } // namespace internode

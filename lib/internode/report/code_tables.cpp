@@ -5,6 +5,8 @@
 #include "internode/io/comment_text.h"
 #include "internode/io/number.h"
 
+#include <algorithm>
+
 namespace internode {
 
 namespace {
@@ -44,6 +46,17 @@ std::string start_text(const std::string& start) {
            std::string(start == "all" ? "all words" : "those that persist");
 }
 
+void append_children(CodeTables& tables, const CellAutomaton& automaton) {
+    for (std::uint32_t s = 0; s < automaton.state_count(); ++s) {
+        tables.first.push_back(static_cast<std::uint32_t>(tables.child.size()));
+        for (const CellAutomaton::Child& child : automaton.children(s)) {
+            tables.child.push_back(child.state);
+            tables.row.push_back(child.row);
+        }
+    }
+    tables.first.push_back(static_cast<std::uint32_t>(tables.child.size()));
+}
+
 /// A literal of floating type.
 std::string real(double value) {
     std::string text = to_string(value);
@@ -81,18 +94,28 @@ std::string code_identifier(std::string_view text) {
 
 CodeTables code_tables(const AutomatonExport& exported) {
     const StencilAutomaton& automaton = exported.automaton;
-    CodeTables tables{code_identifier(exported.name) + "_" + std::to_string(automaton.degree()), {}, {}, {}, {}, {}};
+    CodeTables tables;
+    tables.name = code_identifier(exported.name) + "_" + std::to_string(automaton.degree());
+    tables.degree = static_cast<std::size_t>(automaton.degree());
+    append_children(tables, automaton);
     for (std::uint32_t s = 0; s < automaton.state_count(); ++s) {
         tables.lead.push_back(automaton.state(s).lead);
-        tables.first.push_back(static_cast<std::uint32_t>(tables.child.size()));
-        for (const StencilAutomaton::Child& child : automaton.children(s)) {
-            tables.child.push_back(child.state);
-            tables.row.push_back(child.row);
-        }
         for (const Symbol symbol : automaton.state(s).window)
             tables.windows.push_back(symbol == zero_interval ? 0 : static_cast<std::uint32_t>(to_index(symbol)) + 1);
     }
-    tables.first.push_back(static_cast<std::uint32_t>(tables.child.size()));
+    return tables;
+}
+
+CodeTables code_tables(const CellExport& exported) {
+    const CellAutomaton& automaton = exported.compiled.automaton();
+    CodeTables tables;
+    tables.name = code_identifier(exported.name);
+    std::ptrdiff_t before = static_cast<std::ptrdiff_t>(automaton.width()) - 1;
+    for (std::uint32_t s = 0; s < automaton.state_count(); ++s) before = std::max(before, -automaton.offset(s));
+    tables.degree = static_cast<std::size_t>(before);
+    append_children(tables, automaton);
+    for (std::uint32_t s = 0; s < automaton.state_count(); ++s)
+        tables.lead.push_back(static_cast<std::uint32_t>(automaton.offset(s) + before));
     return tables;
 }
 
@@ -107,14 +130,15 @@ std::string initializer(const std::vector<std::uint32_t>& values, std::size_t pe
     return text + "\n}";
 }
 
-std::string weight_initializer(const StencilAutomaton& automaton, bool nested, std::string_view suffix) {
+std::string weight_initializer(const CellAutomaton& automaton, std::size_t width, bool nested,
+                               std::string_view suffix) {
     std::string text = "{";
     for (std::uint32_t row = 0; row < automaton.row_count(); ++row) {
         text += row > 0 ? ",\n    " : "\n    ";
         if (nested) text += "{";
-        for (std::size_t i = 0; i < automaton.width(); ++i) {
+        for (std::size_t i = 0; i < width; ++i) {
             if (i > 0) text += ", ";
-            text += real(automaton.weights(row)[i]);
+            text += real(i < automaton.width() ? automaton.weights(row)[i] : 0);
             text += suffix;
         }
         if (nested) text += "}";
@@ -132,6 +156,14 @@ std::string opening_comment(const AutomatonExport& exported, const Generator& ge
            line("Symbols: " + symbols_text(system)) +
            line("Ratio: " + to_string(system.ratio().to_double()) + ", which divides all lengths at every step.") +
            line("For " + start_text(exported.start) + ".");
+}
+
+std::string opening_comment(const CellExport& exported) {
+    const auto line = [](const std::string& text) { return " * " + block_comment_text(text) + "\n"; };
+    return "/*\n" +
+           line("The cell automaton of the point grammar " + exported.name + ", made by internode " +
+                exported.generator.version + ":") +
+           line("    " + exported.generator.command);
 }
 
 std::string with_name(std::string_view text, std::string_view name) {
