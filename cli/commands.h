@@ -22,7 +22,7 @@ using Context = CommonOptions;
 ExitCode run(const ValidateOptions& options, const Context& context);
 ExitCode run(const MasksOptions& options, const Context& context);
 /// `masks` with a point grammar.
-ExitCode masks_points(const LoadedText& grammar, const MasksOptions& options, const Context& context);
+ExitCode masks_points(const LoadedText& text, const MasksOptions& options, const Context& context);
 ExitCode run(const SubdivideOptions& options, const Context& context);
 /// `subdivide` with --u and --v.
 ExitCode subdivide_grid(const SubdivideOptions& options, const Context& context);
@@ -31,7 +31,7 @@ ExitCode subdivide_points(const LoadedText& grammar, const SubdivideOptions& opt
 ExitCode run(const ConvergeOptions& options, const Context& context);
 ExitCode run(const ReverseOptions& options, const Context& context);
 /// `reverse` with a point grammar.
-ExitCode reverse_points(const LoadedText& grammar, const ReverseOptions& options, const Context& context);
+ExitCode reverse_points(const LoadedText& text, const ReverseOptions& options, const Context& context);
 ExitCode run(const InferOptions& options, const Context& context);
 ExitCode run(const ComposeOptions& options, const Context& context);
 ExitCode run(const WordOptions& options, const Context& context);

@@ -53,7 +53,8 @@ TEST(MasksPoints, WritesTheAutomaton) {
     ASSERT_EQ(json.code, 0) << json.err;
     EXPECT_THAT(json.out, HasSubstr("\"internode-cells\""));
     EXPECT_THAT(json.out, HasSubstr("\"1/8\", \"3/4\", \"1/8\""));
-    EXPECT_THAT(here.run({"masks", "@s0/34-36", "--format", "c"}).out, HasSubstr("static inline size_t s0_34_36_step("));
+    EXPECT_THAT(here.run({"masks", "@s0/34-36", "--format", "c"}).out,
+                HasSubstr("static inline size_t s0_34_36_step("));
     EXPECT_THAT(here.run({"masks", "@s0/22", "--format", "glsl"}).out, HasSubstr("s0_22_step(uint cell)"));
 }
 

@@ -144,8 +144,9 @@ std::string reversal_picture(const ReversalPicture& picture) {
             " font-size=\"18\" font-weight=\"bold\" text-anchor=\"middle\" fill=\"currentColor\">" +
             markup(picture.title) + "</text>\n";
     for (std::size_t place = 0; place < panels.size(); ++place) {
+        const std::size_t row = place / columns;
         const Point2 corner{.x = margin + static_cast<double>(place % columns) * (frame.width + margin),
-                            .y = title_height + static_cast<double>(place / columns) * row_height};
+                            .y = title_height + static_cast<double>(row) * row_height};
         text += panel_text(panels[place], frame, corner, !is_graph);
     }
     return text + "</svg>\n";
