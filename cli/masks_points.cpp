@@ -4,7 +4,6 @@
 #include "cli/output.h"
 #include "cli/point_system.h"
 #include "internode/grammar/diagnostic.h"
-#include "internode/grammar/parse_points.h"
 #include "internode/io/fraction_matrix.h"
 #include "internode/io/matrix_market.h"
 #include "internode/point/grammar_mask.h"
@@ -43,8 +42,7 @@ std::size_t points_of(const MasksOptions& options) {
 }
 
 Failure stopped(const LoadedText& text, const ExactStop& stop) {
-    if (stop.place.bytes == 0) return failure(ExitCode::Refused, stop.reason);
-    return {ExitCode::Refused, to_string(diagnostic_at(text.text, text.source, stop.place, stop.reason, ""))};
+    return {ExitCode::Refused, to_string(diagnostic_of(text, stop.place, stop.reason, {}))};
 }
 
 RationalMatrix matrix_of(const LoadedText& text, const PointSystem& system, std::size_t points) {

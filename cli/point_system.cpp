@@ -11,12 +11,22 @@
 
 namespace internode::cli {
 
+Diagnostic diagnostic_of(const LoadedText& text, const SourcePlace& place, const std::string& message,
+                         const std::string& hint) {
+    if (place.bytes > 0) return diagnostic_at(text.text, text.source, place, message, hint);
+    Diagnostic whole;
+    whole.source = text.source;
+    whole.message = message;
+    whole.hint = hint;
+    return whole;
+}
+
 PointSystem checked_system(const LoadedText& text, PointGrammar grammar, const PointSettings& settings) {
     CheckedPointSystem checked = make_point_system(std::move(grammar), settings);
     if (checked.system) return *std::move(checked.system);
     std::vector<Diagnostic> errors;
     for (const PointProblem& problem : checked.problems)
-        errors.push_back(diagnostic_at(text.text, text.source, problem.place, problem.message, problem.hint));
+        errors.push_back(diagnostic_of(text, problem.place, problem.message, problem.hint));
     throw Failure(ExitCode::Refused, to_string(errors));
 }
 

@@ -5,12 +5,17 @@
 #pragma once
 
 #include "cli/load.h"
+#include "internode/grammar/diagnostic.h"
 #include "internode/point/point_system.h"
 
 #include <string>
 #include <vector>
 
 namespace internode::cli {
+
+/// At its place in the grammar, or about the grammar as a whole.
+[[nodiscard]] Diagnostic diagnostic_of(const LoadedText& text, const SourcePlace& place, const std::string& message,
+                                       const std::string& hint);
 
 /// \throw Failure (Refused) with everything that is wrong in the grammar
 [[nodiscard]] PointSystem checked_system(const LoadedText& text, PointGrammar grammar, const PointSettings& settings);

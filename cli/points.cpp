@@ -110,17 +110,6 @@ DeriveOptions derive_options(const PointSystem& system, const PointOptions& opti
     return derive;
 }
 
-/// At its place; a problem of the whole grammar has none.
-Diagnostic diagnostic_of(const LoadedText& text, const SourcePlace& place, const std::string& message,
-                         const std::string& hint) {
-    if (place.bytes > 0) return diagnostic_at(text.text, text.source, place, message, hint);
-    Diagnostic whole;
-    whole.source = text.source;
-    whole.message = message;
-    whole.hint = hint;
-    return whole;
-}
-
 void check_ends(const InputPolygon& polygon, bool ring) {
     if (polygon.closed && *polygon.closed != ring)
         throw failure(ExitCode::Refused, fmt::format("\"closed\": {} of {}, but the grammar's words are {}",

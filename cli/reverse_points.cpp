@@ -6,7 +6,6 @@
 #include "cli/point_system.h"
 #include "cli/polygon.h"
 #include "internode/grammar/diagnostic.h"
-#include "internode/grammar/parse_points.h"
 #include "internode/grammar/print_points.h"
 #include "internode/io/csv.h"
 #include "internode/point/grammar_mask.h"
@@ -127,9 +126,7 @@ ModuleWord reduced(const LoadedText& text, const WayBack& way, const ModuleWord&
     Derivation derived = internode::derive(way.system, word, 1, derive);
     if (!derived.problem) return std::move(derived.word);
     const DerivationProblem& problem = *derived.problem;
-    if (problem.place.bytes == 0) throw failure(ExitCode::Refused, problem.message, problem.hint);
-    throw Failure(ExitCode::Refused,
-                  to_string(diagnostic_at(text.text, text.source, problem.place, problem.message, problem.hint)));
+    throw Failure(ExitCode::Refused, to_string(diagnostic_of(text, problem.place, problem.message, problem.hint)));
 }
 
 struct Levels {
