@@ -45,7 +45,13 @@ bool derives_the_same(const PointSystem& system, const ModuleWord& word, StartWo
         SCOPED_TRACE(count);
         const Derivation slow = derive(system, word, static_cast<std::uint64_t>(count));
         EXPECT_FALSE(slow.problem);
-        expect_same(compilation.compiled->derive(points, dimension, count), slow.word, system.grammar());
+        const std::optional<ModuleWord> fast = compilation.compiled->derive(points, dimension, count);
+        const CompiledGrammar::WordSize size = compilation.compiled->size(static_cast<std::uint64_t>(count));
+        EXPECT_EQ(size.points * dimension, cell_points(slow.word, system).size());
+        EXPECT_EQ(fast.has_value(), size.points > 0);
+        if (!fast) continue;
+        EXPECT_EQ(size.modules, slow.word.size());
+        expect_same(*fast, slow.word, system.grammar());
     }
     return true;
 }
@@ -86,11 +92,44 @@ TEST(CompiledGrammar, DerivesTheInterpretersWordsForRandomAffineGrammars) {
 }
 
 TEST(CompiledGrammar, KeepsModulesWithoutPointsAndNumbers) {
-    const PointSystem system = point_system("points\nring\ninput E P(v, 1) F(2)\n"
-                                            "P(v, s) > F(t) E P(w, u) : s < 3 -> G P(1/2 v + 1/2 w, s + 1) F(t) E P(w, 0)\n"
-                                            "P(v, s) -> P(v, 0)\nG -> .\n",
-                                            {});
+    const PointSystem system =
+        point_system("points\nring\ninput E P(v, 1) F(2)\n"
+                     "P(v, s) > F(t) E P(w, u) : s < 3 -> G P(1/2 v + 1/2 w, s + 1) F(t) E P(w, 0)\n"
+                     "P(v, s) -> P(v, 0)\nG -> .\n",
+                     {});
     EXPECT_TRUE(derives_the_same(system, input_word(system, polygon(4, 2)), {std::size_t{4}}, 4));
+}
+
+TEST(CompiledGrammar, LeavesWordsWithoutPointsToTheInterpreter) {
+    for (const char* rules : {"input P(v) E\nP(v) -> E\n", "input # P(v) #\n# < P(v) -> .\nP(v) > # -> .\n",
+                              "input P(v)\nP(v) -> .\n", "ring\ninput E P(v)\nE < P(v) > E -> E\n"}) {
+        SCOPED_TRACE(rules);
+        const PointSystem system = point_system(std::string("points\n") + rules);
+        for (const std::size_t n : {1, 2, 3, 5})
+            (void)derives_the_same(system, input_word(system, polygon(n, 2)), {n}, 3);
+    }
+}
+
+TEST(CompiledGrammar, DoesNotDecideWhereDoublesRound) {
+    // Ten times 1/10 is 1 for exact numbers, and not for doubles, which the interpreter has.
+    for (const char* rules :
+         {"input P(v, 0)\nP(v, s) : s < 1 -> P(v, s + 1/10)\nP(v, s) : s == 1 -> P(v, 0) P(v, 0)\n",
+          "input P(v, 1/10)\nP(v, s) : 3 s == 3/10 -> P(v, s) P(v, s)\n",
+          "input P(v, 1)\nP(v, s) : 10000000000000000 s + 1 > 10000000000000000 s -> P(v, s) P(v, s)\n"}) {
+        const Compilation compilation = compile(point_system(std::string("points\nring\n") + rules), {many_points});
+        ASSERT_FALSE(compilation.compiled) << rules;
+        EXPECT_NE(compilation.reasons.front().reason.find("computes with numbers that doubles round"),
+                  std::string::npos)
+            << compilation.reasons.front().reason;
+    }
+}
+
+TEST(CompiledGrammar, CountsItsModulesBeforeItMakesThem) {
+    const PointSystem system = point_system("points\nring\ninput P(v) E\nP(v) > E -> P(v) E^40 P(v) E^40\nE -> .\n");
+    const CompiledGrammar grammar = compile(system, {4}).compiled.value();
+    EXPECT_EQ(grammar.size(3).points, 32U);
+    EXPECT_EQ(grammar.size(3).modules, 32U * 41U);
+    EXPECT_EQ(grammar.size(1'000).modules, std::uint64_t{1} << 62);
 }
 
 TEST(CompiledGrammar, RefusesAnotherNumberOfPoints) {

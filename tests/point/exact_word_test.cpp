@@ -110,38 +110,54 @@ TEST(PointMatrix, TakesTheRootOfASquare) {
 }
 
 TEST(PointMatrix, StopsAtNumbersThatAreTooLong) {
+    const std::string digits(900, '7');
+    const PointSystem system =
+        point_system("points\nw = 0." + digits + "\nP(v) -> P(w w w w w v + (1 - w w w w w) v)\n");
+    EXPECT_EQ(reason(system, 1), "has numbers of too many digits");
+}
+
+TEST(PointMatrix, DecidesOnlyWhatDoublesDecideAlike) {
     const PointSystem system = point_system("points\ninput P(v, 3)\nP(v, s) -> P(v, s s s s)\n");
-    EXPECT_NO_THROW((void)matrix(system, 1, 5));
-    const auto made = point_matrix(system, 1, 12);
-    EXPECT_EQ(std::get<ExactStop>(made).reason, "has numbers of too many digits");
+    EXPECT_NO_THROW((void)matrix(system, 1, 2)); // 3^16 is a double
+    const auto made = point_matrix(system, 1, 4);
+    EXPECT_EQ(std::get<ExactStop>(made).reason, "computes with numbers that doubles round");
+}
+
+TEST(PointMatrix, HasALimitOfItsWork) {
+    const PointSystem system =
+        point_system("points\nring\ntable q\nP(v) > P(u) -> P(v) P(1/2 v + 1/2 u)\ncycle q^40\n");
+    EXPECT_EQ(reason(system, 4), "needs too much exact arithmetic");
 }
 
 TEST(ExactStep, AsksNoSurroundings) {
     const PointSystem system = point_system("points\ninput P(v) ?E(0)\nP(v) -> P(v) P(v)\n");
     const auto word = exact_input(system, 2);
-    const auto next = exact_step(system, std::get<ExactWord>(word), std::nullopt);
+    ExactBudget budget;
+    const auto next = exact_step(system, std::get<ExactWord>(word), std::nullopt, budget);
     EXPECT_EQ(std::get<ExactStop>(next).reason, "asks its surroundings");
 }
 
 TEST(ExactPieceStep, SettlesWhatIsCertainOnly) {
     const PointSystem system = bundled_system("s0/13");
     const ExactWord word = std::get<ExactWord>(exact_input(system, 7));
-    const PieceStep step = exact_piece_step(system, word, {true, true}, 3, 4, std::nullopt);
+    ExactBudget budget;
+    const PieceStep step = exact_piece_step(system, word, {true, true}, 3, 4, std::nullopt, budget);
     ASSERT_TRUE(step.word);
     EXPECT_EQ(step.first, 1U); // the modules at both ends have neighbours that are not known
     EXPECT_EQ(step.last, 6U);
     EXPECT_EQ(step.word->size(), 10U);
-    EXPECT_FALSE(exact_piece_step(system, word, {true, true}, 0, 1, std::nullopt).word);
+    EXPECT_FALSE(exact_piece_step(system, word, {true, true}, 0, 1, std::nullopt, budget).word);
     // Where the word ends, the rule does not fit for certain.
-    EXPECT_EQ(exact_piece_step(system, word, {false, false}, 0, 1, std::nullopt).word->size(), 12U);
+    EXPECT_EQ(exact_piece_step(system, word, {false, false}, 0, 1, std::nullopt, budget).word->size(), 12U);
 }
 
 TEST(ExactPieceStep, OfAWholeOpenWordIsTheStep) {
     for (const char* name : {"s0/28-33", "s0/34-36", "s1/12", "s1/13"}) {
         const PointSystem system = bundled_system(name);
         const ExactWord word = std::get<ExactWord>(exact_input(system, 5));
-        const PieceStep piece = exact_piece_step(system, word, {}, 0, 1, system.cycle().front());
-        EXPECT_EQ(*piece.word, std::get<ExactWord>(exact_step(system, word, system.cycle().front()))) << name;
+        ExactBudget budget;
+        const PieceStep piece = exact_piece_step(system, word, {}, 0, 1, system.cycle().front(), budget);
+        EXPECT_EQ(*piece.word, std::get<ExactWord>(exact_step(system, word, system.cycle().front(), budget))) << name;
     }
 }
 

@@ -50,9 +50,10 @@ std::size_t place_after(const ExactWord& word, std::size_t i) {
 }
 
 /// One step. False: not settled, or a stop.
-bool advance(Moving& moving, const PointSystem& system, std::optional<std::uint32_t> table,
+bool advance(Moving& moving, const PointSystem& system, std::optional<std::uint32_t> table, ExactBudget& budget,
              std::optional<ExactStop>& stop) {
-    PieceStep step = exact_piece_step(system, moving.word, moving.sides, moving.own.first, moving.own.last, table);
+    PieceStep step =
+        exact_piece_step(system, moving.word, moving.sides, moving.own.first, moving.own.last, table, budget);
     stop = std::move(step.stop);
     if (!step.word) return false;
     std::vector<std::size_t> starts;
@@ -63,6 +64,18 @@ bool advance(Moving& moving, const PointSystem& system, std::optional<std::uint3
     moving.sides = step.sides;
     moving.word = *std::move(step.word);
     return true;
+}
+
+/// Whether a new point of the cell depends on more consecutive ones than a kernel takes.
+bool is_too_wide(const Moving& moving) {
+    for (std::size_t m = moving.own.first; m < moving.own.last; ++m)
+        for (const ExactValue& value : moving.word[m].values) {
+            const PointSum* const sum = std::get_if<PointSum>(&value);
+            if (sum == nullptr || sum->terms.empty()) continue;
+            const std::ptrdiff_t width = sum->terms.back().first - sum->terms.front().first + 1;
+            if (width > static_cast<std::ptrdiff_t>(max_row_width)) return true;
+        }
+    return false;
 }
 
 /// Cuts the pieces of the children out of what a piece has become.
@@ -129,6 +142,10 @@ private:
 
 } // namespace
 
+ExactStop too_wide() {
+    return {{}, "needs more than " + std::to_string(max_row_width) + " neighbouring points for a new one"};
+}
+
 KindTable::KindTable(const PointSystem& system) {
     for (const auto& parameters : system.layout()) {
         std::vector<bool>& is_point = is_point_.emplace_back();
@@ -180,18 +197,17 @@ std::optional<OwnModules> own_modules(const CellPiece& piece, const KindTable& k
 }
 
 PieceChildren children_of(const CellPiece& piece, const PointSystem& system, KindTable& kinds, std::size_t side,
-                          std::uint64_t& work, std::uint64_t limit) {
+                          ExactBudget& budget) {
     if (piece.slot > 0) return {std::vector<PieceChild>(), std::nullopt};
     const std::optional<OwnModules> own = own_modules(piece, kinds);
     if (!own) return {};
     Moving word = moving(piece, kinds, *own);
     for (const std::optional<std::uint32_t> table : system.cycle()) {
-        work += word.word.size();
-        if (work > limit) return {std::nullopt, ExactStop{{}, "takes too long to compile"}};
         std::optional<ExactStop> stop;
-        if (!advance(word, system, table, stop)) return {std::nullopt, std::move(stop)};
+        if (!advance(word, system, table, budget, stop)) return {std::nullopt, std::move(stop)};
         if (word.own.first == word.own.last) return {std::vector<PieceChild>(), std::nullopt};
     }
+    if (is_too_wide(word)) return {std::nullopt, too_wide()};
     return {Cutter(word, kinds, side).children(), std::nullopt};
 }
 

@@ -65,10 +65,12 @@ struct OwnModules {
 };
 [[nodiscard]] std::optional<OwnModules> own_modules(const CellPiece& piece, const KindTable& kinds);
 
-/// One cycle of the piece; `work` counts the modules that were rewritten, and the cycle stops when they are more than
-/// `limit`: a word may double in each of its many steps.
+/// One cycle of the piece.
 [[nodiscard]] PieceChildren children_of(const CellPiece& piece, const PointSystem& system, KindTable& kinds,
-                                        std::size_t side, std::uint64_t& work, std::uint64_t limit);
+                                        std::size_t side, ExactBudget& budget);
+
+/// A row that no kernel takes.
+[[nodiscard]] ExactStop too_wide();
 
 /// The piece round a point of a word that starts at its first module; its modules before and after are the word's, of a
 /// ring again and again.

@@ -77,6 +77,7 @@ public:
         , start_(start)
         , limits_(limits)
         , input_(effective_input(system.grammar(), system.start())) {
+        budget_.left = limits.work;
         if (start.points == std::size_t{0}) throw std::invalid_argument("a polygon without points");
         if (start.points && !input_) throw std::invalid_argument("a grammar without an input");
         if (!start.points && !system.grammar().axiom) throw std::invalid_argument("a grammar without an axiom");
@@ -99,8 +100,7 @@ public:
             result.compiled = finish();
             if (result.compiled->automaton().width() <= max_row_width) return result;
             result.compiled.reset();
-            result.reasons.push_back(
-                {{}, "needs more than " + std::to_string(max_row_width) + " neighbouring points for a new one"});
+            result.reasons.push_back(too_wide());
             return result;
         }
         result.reasons.push_back({{}, "needs letters that lie further away with every cycle"});
@@ -161,8 +161,9 @@ private:
     }
 
     bool expand(std::size_t i) {
-        PieceChildren made = children_of(states_[i].piece, system_, *kinds_, side_, work_, limits_.work);
+        PieceChildren made = children_of(states_[i].piece, system_, *kinds_, side_, budget_);
         stop_ = std::move(made.stop);
+        if (stop_ && budget_.left == 0) stop_ = ExactStop{{}, "takes too long to compile"};
         if (!made.children) return false;
         for (const PieceChild& child : *made.children) {
             const std::uint32_t state = number(child.piece);
@@ -324,7 +325,7 @@ private:
     CompileLimits limits_;
     std::optional<PointInput> input_;
     std::size_t side_ = 1;
-    std::uint64_t work_ = 0;
+    ExactBudget budget_;
     std::optional<KindTable> kinds_;
     std::vector<State> states_;
     std::map<CellPiece, std::uint32_t> numbers_;

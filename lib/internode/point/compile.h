@@ -36,11 +36,11 @@ struct StartWord {
 /// A number of points whose ends do not see each other: any scheme in general.
 inline constexpr std::size_t many_points = std::size_t{1} << 20;
 
-/// Limits of compiling: modules to each side of a cell, states, modules that are rewritten on the way.
+/// Limits of compiling (point/limits.h).
 struct CompileLimits {
-    std::size_t side = 64;
-    std::size_t states = 4096;
-    std::uint64_t work = 4'000'000;
+    std::size_t side = max_compiled_side;
+    std::size_t states = max_compiled_states;
+    std::uint64_t work = max_compile_work; ///< as an ExactBudget counts
 };
 
 /// A module by its letter and its numbers, without its points.
@@ -72,10 +72,19 @@ public:
     [[nodiscard]] ModuleWord word(std::span<const std::uint32_t> states, std::span<const double> points,
                                   std::size_t dimension) const;
 
-    /// The word after `cycles` cycles of a start word with these points (cell_points), before any interpretation.
+    /// How large the word is after `cycles` cycles: saturating at 2^62.
+    struct WordSize {
+        std::uint64_t points = 0;
+        std::uint64_t modules = 0; ///< where points is not 0
+        std::uint64_t numbers = 0; ///< of all modules, without their points
+    };
+    [[nodiscard]] WordSize size(std::uint64_t cycles) const;
+
+    /// The word after `cycles` cycles of a start word with these points (cell_points), before any interpretation. None
+    /// when no point is left: modules without points belong to points, and only the interpreter knows them then.
     /// \throw std::invalid_argument for another number of points, std::length_error as plan()
-    [[nodiscard]] ModuleWord derive(std::span<const double> points, std::size_t dimension, int cycles,
-                                    const ApplyOptions& options = {}) const;
+    [[nodiscard]] std::optional<ModuleWord> derive(std::span<const double> points, std::size_t dimension, int cycles,
+                                                   const ApplyOptions& options = {}) const;
 
 private:
     friend class GrammarCompiler;

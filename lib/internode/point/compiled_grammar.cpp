@@ -226,9 +226,33 @@ ModuleWord CompiledGrammar::word(std::span<const std::uint32_t> states, std::spa
     return word;
 }
 
-ModuleWord CompiledGrammar::derive(std::span<const double> points, std::size_t dimension, int cycles,
-                                   const ApplyOptions& options) const {
+CompiledGrammar::WordSize CompiledGrammar::size(std::uint64_t cycles) const {
+    constexpr std::uint64_t most = std::uint64_t{1} << 62;
+    const auto plus = [](std::uint64_t& sum, std::uint64_t count, std::uint64_t each) {
+        sum = each != 0 && count > (most - sum) / each ? most : sum + count * each;
+    };
+    std::vector<std::uint64_t> counts(rules_.size());
+    for (const std::uint32_t state : cells_) ++counts[state];
+    for (std::uint64_t cycle = 0; cycle < cycles; ++cycle) {
+        std::vector<std::uint64_t> next(counts.size());
+        for (std::size_t state = 0; state < counts.size(); ++state)
+            for (const CellChild& child : rules_[state]) plus(next[child.state], counts[state], 1);
+        counts = std::move(next);
+    }
+    WordSize size;
+    for (std::size_t state = 0; state < counts.size(); ++state) {
+        plus(size.points, counts[state], 1);
+        plus(size.modules, counts[state], emissions_[state].kinds.size());
+        for (const std::uint32_t kind : emissions_[state].kinds)
+            plus(size.numbers, counts[state], kinds_[kind].numbers.size());
+    }
+    return size;
+}
+
+std::optional<ModuleWord> CompiledGrammar::derive(std::span<const double> points, std::size_t dimension, int cycles,
+                                                  const ApplyOptions& options) const {
     const RefinementPlan refinement = plan(cycles);
+    if (refinement.output_size() == 0) return std::nullopt;
     std::vector<double> refined(refinement.output_size() * dimension);
     refinement.apply<double>(points, dimension, refined, options);
     return word(refinement.final_cells(), refined, dimension);

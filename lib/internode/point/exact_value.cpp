@@ -58,6 +58,8 @@ public:
     }
 
     [[nodiscard]] const std::string& reason() const { return reason_; }
+    /// Whether an operation on doubles would have given another number than the nearest one.
+    [[nodiscard]] bool rounds() const { return rounds_; }
 
 private:
     std::nullopt_t fail(std::string reason) {
@@ -129,6 +131,8 @@ private:
     bool compute(Operation operation, std::vector<KnownNumber> arguments, std::vector<ExactValue>& stack) {
         KnownNumber result = apply_operation(operation, arguments);
         if (result.exact) {
+            const double first = nearest(arguments.front());
+            rounds_ = rounds_ || nearest(result) != apply_operation(operation, first, nearest(arguments.back()));
             stack.emplace_back(*std::move(result.exact));
             return true;
         }
@@ -149,6 +153,7 @@ private:
     const PointSystem& system_;
     std::size_t depth_ = 0;
     std::size_t work_ = 0;
+    bool rounds_ = false;
     std::string reason_;
 };
 
@@ -159,6 +164,10 @@ ExactResult exact_value(const Expression& expression, std::span<const ExactValue
     ExactResult result;
     result.value = machine.run(expression, formals);
     result.reason = machine.reason();
+    if (result.value && std::holds_alternative<Rational>(*result.value) && machine.rounds()) {
+        result.value.reset();
+        result.reason = "computes with numbers that doubles round";
+    }
     return result;
 }
 

@@ -79,14 +79,24 @@ std::variant<ExactModule, ExactStop> made_of(const ModuleTemplate& made, std::sp
     return module;
 }
 
+std::uint64_t cost_of(const ExactModule& module) {
+    std::uint64_t cost = 1;
+    for (const ExactValue& value : module.values)
+        if (const PointSum* sum = std::get_if<PointSum>(&value))
+            for (const auto& term : sum->terms) cost += 1 + mpz_sizeinbase(term.second.get_den_mpz_t(), 2) / 64;
+    return cost;
+}
+
 /// Chooses rules and writes successors.
 template<typename Word>
 class Rewriter {
 public:
-    Rewriter(const PointSystem& system, const ExactWord& word, const Word& place, std::optional<std::uint32_t> table)
+    Rewriter(const PointSystem& system, const ExactWord& word, const Word& place, std::optional<std::uint32_t> table,
+             ExactBudget& budget)
         : system_(system)
         , word_(word)
         , place_(place)
+        , budget_(budget)
         , rules_(system.rules_of(table))
         , is_pseudo_(system.is_pseudo(table)) {}
 
@@ -112,6 +122,7 @@ public:
         if (is_pseudo_ && begins_predecessor(word_[i].letter)) return stop({}, "leaves a module over");
         ExactModule same = word_[i];
         same.parent = i;
+        if (!spend(same)) return std::nullopt;
         return Successor{{std::move(same)}, 1};
     }
 
@@ -121,6 +132,13 @@ private:
     std::nullopt_t stop(SourcePlace place, std::string reason) {
         stop_ = ExactStop{place, std::move(reason)};
         return std::nullopt;
+    }
+
+    bool spend(const ExactModule& module) {
+        const std::uint64_t cost = cost_of(module);
+        if (cost > budget_.left) stop({}, "needs too much exact arithmetic");
+        budget_.left -= std::min(cost, budget_.left);
+        return !stop_;
     }
 
     [[nodiscard]] bool begins_predecessor(Symbol letter) const {
@@ -151,6 +169,7 @@ private:
             if (const ExactStop* reason = std::get_if<ExactStop>(&module)) return stop(reason->place, reason->reason);
             successor.modules.push_back(std::get<ExactModule>(std::move(module)));
             successor.modules.back().parent = i;
+            if (!spend(successor.modules.back())) return std::nullopt;
         }
         return successor;
     }
@@ -158,6 +177,7 @@ private:
     const PointSystem& system_;
     const ExactWord& word_;
     const Word& place_;
+    ExactBudget& budget_;
     std::span<const std::uint32_t> rules_;
     bool is_pseudo_;
     std::optional<ExactStop> stop_;
@@ -192,10 +212,10 @@ std::optional<ExactStop> add_point(const std::vector<ModuleTemplate>& part, std:
 } // namespace
 
 std::variant<ExactWord, ExactStop> exact_step(const PointSystem& system, const ExactWord& word,
-                                              std::optional<std::uint32_t> table) {
+                                              std::optional<std::uint32_t> table, ExactBudget& budget) {
     if (const std::optional<ExactStop> query = query_in(word, system)) return *query;
     const WholeWord place(word, system.grammar());
-    Rewriter<WholeWord> rewriter(system, word, place, table);
+    Rewriter<WholeWord> rewriter(system, word, place, table, budget);
     ExactWord next;
     for (std::size_t i = 0; i < word.size();) {
         auto successor = rewriter.successor(i);
@@ -207,9 +227,9 @@ std::variant<ExactWord, ExactStop> exact_step(const PointSystem& system, const E
 }
 
 PieceStep exact_piece_step(const PointSystem& system, const ExactWord& piece, PieceSides sides, std::size_t first,
-                           std::size_t last, std::optional<std::uint32_t> table) {
+                           std::size_t last, std::optional<std::uint32_t> table, ExactBudget& budget) {
     const Piece place(piece, sides);
-    Rewriter<Piece> rewriter(system, piece, place, table);
+    Rewriter<Piece> rewriter(system, piece, place, table, budget);
     std::vector<ExactWord> successors(piece.size());
     // Outwards from the modules that must be settled.
     std::size_t begin = first;
@@ -261,10 +281,11 @@ std::variant<ExactWord, ExactStop> exact_axiom(const PointSystem& system) {
 std::variant<RationalMatrix, ExactStop> point_matrix(const PointSystem& system, std::size_t count,
                                                      std::uint64_t cycles) {
     auto word = exact_input(system, count);
+    ExactBudget budget;
     for (std::uint64_t cycle = 0; cycle < cycles; ++cycle)
         for (const std::optional<std::uint32_t> table : system.cycle()) {
             if (const ExactStop* stop = std::get_if<ExactStop>(&word)) return *stop;
-            word = exact_step(system, std::get<ExactWord>(word), table);
+            word = exact_step(system, std::get<ExactWord>(word), table, budget);
         }
     if (const ExactStop* stop = std::get_if<ExactStop>(&word)) return *stop;
     RationalMatrix matrix;

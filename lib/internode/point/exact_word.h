@@ -10,6 +10,7 @@
 
 #include "internode/algebra/rational_matrix.h"
 #include "internode/point/exact_value.h"
+#include "internode/point/limits.h"
 
 #include <cstddef>
 #include <optional>
@@ -40,9 +41,14 @@ struct PieceSides {
     bool right_open = false;
 };
 
+/// What may still be written: a module, a term of a point and 64 bits of its weight count 1 each.
+struct ExactBudget {
+    std::uint64_t left = max_exact_work;
+};
+
 /// One derivation step of a whole word; of a ring the contexts go round.
 [[nodiscard]] std::variant<ExactWord, ExactStop> exact_step(const PointSystem& system, const ExactWord& word,
-                                                            std::optional<std::uint32_t> table);
+                                                            std::optional<std::uint32_t> table, ExactBudget& budget);
 
 /// The same of a piece without brackets. `first` … `last` - 1 are its modules that must be settled; the word holds the
 /// successors of all settled ones round them. No word: they are not settled.
@@ -54,7 +60,8 @@ struct PieceStep {
     std::optional<ExactStop> stop;
 };
 [[nodiscard]] PieceStep exact_piece_step(const PointSystem& system, const ExactWord& piece, PieceSides sides,
-                                         std::size_t first, std::size_t last, std::optional<std::uint32_t> table);
+                                         std::size_t first, std::size_t last, std::optional<std::uint32_t> table,
+                                         ExactBudget& budget);
 
 /// The word that the input makes of `count` points, p_0 … p_{count-1}. \throw std::invalid_argument for no points, or
 /// no input
