@@ -101,9 +101,12 @@ Query environment(const PointSystem& system, const std::vector<std::string>& que
     };
 }
 
+/// Of --max-modules: no memory has room for more, and counts stay far from their largest number.
+constexpr std::uint64_t most_modules = 1'000'000'000'000;
+
 DeriveOptions derive_options(const PointSystem& system, const PointOptions& options) {
     DeriveOptions derive;
-    derive.max_modules = options.max_modules.value_or(derive.max_modules);
+    derive.max_modules = std::min(options.max_modules.value_or(derive.max_modules), most_modules);
     derive.phase = options.phase.value_or(0);
     derive.seed = options.seed.value_or(0);
     derive.query = environment(system, options.queries);

@@ -274,20 +274,22 @@ TEST_F(PointCommands, WeightsAreDividedOutLast) {
 }
 
 TEST_F(PointCommands, RationalArcsLieOnConics) {
-    for (const auto& [weight, x2] : std::vector<std::pair<std::string, double>>{{"1/2", 3}, {"1", 0}, {"5/2", -21}}) {
+    for (const auto& [weight, w] : std::vector<std::pair<std::string, double>>{{"1/2", 0.5}, {"1", 1}, {"5/2", 2.5}}) {
         std::istringstream rows(out({"@rational-arc", "-n", "5", "--set", "w=" + weight}));
         std::string row;
         std::getline(rows, row);
-        const double w = weight == "1/2" ? 0.5 : weight == "1" ? 1 : 2.5;
         std::size_t count = 0;
-        for (double x = 0, y = 0; std::getline(rows, row); ++count) {
-            ASSERT_EQ(std::sscanf(row.c_str(), "%lf,%lf", &x, &y), 2);
+        for (; std::getline(rows, row); ++count) {
+            const std::size_t comma = row.find(',');
+            ASSERT_NE(comma, std::string::npos) << row;
+            const double x = parse_double(row.substr(0, comma)).value();
+            const double y = parse_double(row.substr(comma + 1)).value();
             // The control points (0,0), (1/2,1), (1,0): barycentric weights a, b, c with b² = 4 w² a c.
             const double b = y;
             const double c = x - b / 2;
             const double a = 1 - b - c;
             if (count % 2 == 0) {
-                EXPECT_NEAR(b * b, 4 * w * w * a * c, 1e-12) << weight << row << x2;
+                EXPECT_NEAR(b * b, 4 * w * w * a * c, 1e-12) << weight << ' ' << row;
             }
         }
         EXPECT_EQ(count, 65U);

@@ -56,7 +56,7 @@ Word word_of(const std::vector<PlacedText>& letters) {
 
 CurveData data_of(const InputPolygon& polygon) {
     CurveData data;
-    data.degree = static_cast<int>(polygon.degree.value_or(3));
+    data.degree = static_cast<int>(polygon.degree.value_or(std::min<std::size_t>(3, polygon.size() - 1)));
     data.ends = polygon.closed.value_or(false) ? Ends::Circular : Ends::Open;
     data.dimension = polygon.dimension;
     data.points = polygon.points;

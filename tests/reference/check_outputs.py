@@ -324,7 +324,7 @@ def check_validation(document):
 
 # --- validation of point grammars ------------------------------------------------------------------------------------
 
-SOUND = ("affine", "affine-for-these-constants", "mixes-coordinates")
+SOUND = ("affine", "mixes-coordinates")
 
 
 def rational(number):

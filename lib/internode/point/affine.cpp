@@ -183,7 +183,7 @@ std::vector<std::string> formals_at(const PointGrammar& grammar, const ArgumentP
 }
 
 bool is_sound(AffineVerdict verdict) {
-    return verdict != AffineVerdict::SumIsNotOne && verdict != AffineVerdict::NotDecided;
+    return verdict == AffineVerdict::Affine || verdict == AffineVerdict::MixesCoordinates;
 }
 
 } // namespace internode

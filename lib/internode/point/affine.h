@@ -65,7 +65,7 @@ affine_findings(const PointGrammar& grammar, std::span<const ConstantValue> cons
 /// The names of its formals: those of the rule, the formal of the input, none in an axiom.
 [[nodiscard]] std::vector<std::string> formals_at(const PointGrammar& grammar, const ArgumentPlace& where);
 
-/// Whether the grammar may be run with such a finding: everything but a sum that is not one and what is not decided.
+/// Whether a grammar with such a finding may be valid: the sum is 1 as an identity, or literal points are meant.
 [[nodiscard]] bool is_sound(AffineVerdict verdict);
 
 } // namespace internode

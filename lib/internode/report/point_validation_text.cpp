@@ -69,7 +69,7 @@ std::string affine_text(const PointValidation& validation) {
     if (validation.affine.empty()) return "none: no module has a point";
     std::string text = plural(count(AffineVerdict::Affine), "combination") + " of points with sum 1";
     if (const auto some = count(AffineVerdict::AffineForTheseConstants))
-        text += "; " + std::to_string(some) + " for these values of the constants only";
+        text += "; " + std::to_string(some) + " with a sum that is 1 for these values of the constants only";
     if (const auto literal = count(AffineVerdict::MixesCoordinates))
         text += "; " + std::to_string(literal) + " with literal points or coordinates, which do not move with the rest";
     if (const auto wrong = count(AffineVerdict::SumIsNotOne))
@@ -155,7 +155,8 @@ std::string finding_text(const AffineFinding& finding) {
     case AffineVerdict::SumIsNotOne:
         return "the coefficients sum to " + finding.sum + ", not to 1";
     case AffineVerdict::AffineForTheseConstants:
-        return "the coefficients sum to " + finding.sum + ", which is 1 for these values of the constants only";
+        return "the coefficients sum to " + finding.sum +
+               ", which is 1 for these values of the constants and not for all";
     case AffineVerdict::MixesCoordinates:
         return "literal points or coordinates take part: it does not move with the other points";
     case AffineVerdict::NotDecided:
@@ -194,9 +195,6 @@ std::string point_validation_text(const PointValidation& validation, const Point
                                           ? ", for points of " + std::to_string(validation.dimension) + " coordinates"
                                           : ""));
     text += labelled("positions", affine_text(validation));
-    for (const AffineFinding& finding : validation.affine)
-        if (finding.verdict == AffineVerdict::AffineForTheseConstants)
-            text += labelled("", place_text(grammar, finding.where) + ": " + finding_text(finding));
     text += coverage_text(*validation.coverage, grammar);
     if (validation.compilation) text += compilation_text(*validation.compilation, source);
     if (validation.mask)
