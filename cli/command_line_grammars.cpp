@@ -41,7 +41,8 @@ void CommandReader::add_grammar_commands() {
         ->check(CLI::Validator(empty_word_problem, ""));
     masks->add_flag("--automaton", masks_.automaton,
                     "The stencil automaton as JSON; c (.h) and glsl are its tables as code");
-    add_count(masks, "-n,--steps", masks_.steps, "With --automaton, c, glsl: so many steps at once (default 1)");
+    add_count(masks, "-n,--steps", masks_.steps,
+              "With --automaton, c, glsl of interval grammars: so many steps at once (default 1)");
     masks->add_flag_callback(
         "--matrix", [this] { masks_.output.format = "mtx"; }, "The matrix of one step of a word (MatrixMarket)");
     masks->add_flag_callback(
