@@ -50,6 +50,11 @@ void CommandReader::add_curve_commands() {
 }
 
 void CommandReader::add_pyramid_commands() {
+    add_reverse_command();
+    add_compose_command();
+}
+
+void CommandReader::add_reverse_command() {
     CLI::App* reverse = add(
         "reverse",
         with_examples("Take a polygon apart: a coarse polygon and the details of every step back to it.\n"
@@ -63,13 +68,20 @@ void CommandReader::add_pyramid_commands() {
     add_polygon(reverse, reverse_.polygon, nullptr);
     add_output(reverse, reverse_.output, {"text", "json", "csv", "svg", "lsys"});
     const auto levels = [this](const std::string& text) { reverse_.levels = whole_number(text); };
-    const auto keep = [this](const std::string& text) { reverse_.keep = whole_number(text); };
-    const CLI::Validator whole(whole_number_problem, "");
     reverse->add_option_function<std::string>("-n,--levels", levels, "Steps down (default: what the word asks for)")
         ->type_name("N")
-        ->check(whole);
+        ->check(CLI::Validator(whole_number_problem, ""));
     reverse->add_flag_callback(
         "--local", [this] { reverse_.local = true; }, "Local filters instead of least squares");
+    add_reverse_rules(reverse);
+    add_details(reverse);
+    reverse->add_option("--coarse", reverse_.coarse, "Write the coarse polygon: CSV or JSON by the extension");
+    reverse->add_option("--picture", reverse_.picture, "Write a picture of all levels (SVG)");
+    commands_.push_back({reverse, [this] { return Request(reverse_); }});
+}
+
+/// The rules that `reverse` derives, or is given.
+void CommandReader::add_reverse_rules(CLI::App* reverse) {
     const auto window = [this](const std::string& text) { reverse_.window = whole_number(text); };
     reverse
         ->add_option_function<std::string>(
@@ -82,16 +94,21 @@ void CommandReader::add_pyramid_commands() {
         ->add_option_function<std::string>("--phase", phase,
                                            "A point grammar: the point at which the ring begins to be parted")
         ->type_name("N")
-        ->check(whole);
+        ->check(CLI::Validator(whole_number_problem, ""));
     add_settings(reverse, reverse_.settings);
     reverse->add_flag("--rules", reverse_.rules, "A point grammar: write its reverse rules as a grammar, and stop");
+}
+
+/// Which details `reverse` keeps, and what it may do to the polygon first.
+void CommandReader::add_details(CLI::App* reverse) {
+    const auto keep = [this](const std::string& text) { reverse_.keep = whole_number(text); };
     auto* threshold = reverse->add_option_function<std::string>(
         "--threshold", [this](const std::string& text) { reverse_.threshold = parse_double(text); },
         "Keep only details at least this long");
     threshold->check(CLI::Validator(positive_number, ""));
     auto* count =
         reverse->add_option_function<std::string>("--keep", keep, "Keep only this many of the longest details");
-    count->type_name("N")->check(whole)->excludes(threshold);
+    count->type_name("N")->check(CLI::Validator(whole_number_problem, ""))->excludes(threshold);
     reverse->add_flag("--unclamped", reverse_.unclamped,
                       "Leave the ends of an open curve as they are (ill-conditioned) instead of clamping them");
     auto* resample = reverse->add_flag_callback(
@@ -100,10 +117,9 @@ void CommandReader::add_pyramid_commands() {
     auto* cut = reverse->add_flag_callback(
         "--cut", [this] { reverse_.fit = FitOption::Cut; }, "Drop points from its end until their number is possible");
     cut->excludes(resample);
-    reverse->add_option("--coarse", reverse_.coarse, "Write the coarse polygon: CSV or JSON by the extension");
-    reverse->add_option("--picture", reverse_.picture, "Write a picture of all levels (SVG)");
-    commands_.push_back({reverse, [this] { return Request(reverse_); }});
+}
 
+void CommandReader::add_compose_command() {
     CLI::App* compose =
         add("compose", with_examples("Put a polygon together again from the pyramid that reverse wrote.",
                                      "compose data/pyramids/leaf.json",
@@ -113,7 +129,7 @@ void CommandReader::add_pyramid_commands() {
     const auto level = [this](const std::string& text) { compose_.level = whole_number(text); };
     compose->add_option_function<std::string>("--level", level, "This level, 0 is the coarse one (default: the finest)")
         ->type_name("N")
-        ->check(whole);
+        ->check(CLI::Validator(whole_number_problem, ""));
     add_count(compose, "--max-points", compose_.max_points, "Refuse more points than this (default 100000000)");
     commands_.push_back({compose, [this] { return Request(compose_); }});
 }

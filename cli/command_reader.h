@@ -47,6 +47,10 @@ private:
     void add_grammar_commands();
     void add_curve_commands();
     void add_pyramid_commands();
+    void add_reverse_command();
+    void add_reverse_rules(CLI::App* reverse);
+    void add_details(CLI::App* reverse);
+    void add_compose_command();
     void add_infer();
     void add_small_commands();
     void refuse_leftovers(const CLI::App& app) const;
