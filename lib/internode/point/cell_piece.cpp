@@ -15,11 +15,6 @@ struct Moving {
     OwnModules own;
 };
 
-std::size_t points_in(const ExactModule& module) {
-    const auto is_point = [](const ExactValue& value) { return std::holds_alternative<PointSum>(value); };
-    return static_cast<std::size_t>(std::ranges::count_if(module.values, is_point));
-}
-
 bool starts_at(const std::vector<std::size_t>& starts, std::size_t i) {
     return std::ranges::find(starts, i) != starts.end();
 }
@@ -141,6 +136,11 @@ private:
 };
 
 } // namespace
+
+std::size_t points_in(const ExactModule& module) {
+    const auto is_point = [](const ExactValue& value) { return std::holds_alternative<PointSum>(value); };
+    return static_cast<std::size_t>(std::ranges::count_if(module.values, is_point));
+}
 
 ExactStop too_wide() {
     return {{}, "needs more than " + std::to_string(max_row_width) + " neighbouring points for a new one"};

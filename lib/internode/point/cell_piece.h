@@ -35,6 +35,9 @@ private:
     std::map<std::pair<Symbol, std::vector<Rational>>, std::uint32_t> numbers_;
 };
 
+/// How many of its parameters are points.
+[[nodiscard]] std::size_t points_in(const ExactModule& module);
+
 struct CellPiece {
     std::vector<std::uint32_t> kinds;
     std::vector<std::uint32_t> starts; ///< a word starts before these modules, ascending; at most kinds.size()

@@ -147,17 +147,12 @@ private:
         const std::optional<ExactWord> word = start_word();
         if (!word) return false;
         for (std::size_t m = 0; m < word->size(); ++m)
-            for (std::uint32_t slot = 0; slot < points_of((*word)[m]); ++slot)
+            for (std::uint32_t slot = 0; slot < points_in((*word)[m]); ++slot)
                 starts_.push_back(number(piece_of_word(*word, system_.grammar().ring, m, slot, side_, *kinds_)));
         if (starts_.empty()) stop_ = ExactStop{{}, "has no points in its first word"};
         for (std::size_t i = 0; i < states_.size() && !stop_; ++i)
             if (!expand(i)) return false;
         return !stop_;
-    }
-
-    [[nodiscard]] static std::size_t points_of(const ExactModule& module) {
-        return static_cast<std::size_t>(std::ranges::count_if(
-            module.values, [](const ExactValue& value) { return std::holds_alternative<PointSum>(value); }));
     }
 
     bool expand(std::size_t i) {

@@ -3,6 +3,7 @@
 #include "internode/report/levels_picture.h"
 
 #include "internode/report/markup.h"
+#include "internode/report/polygon_path.h"
 #include "internode/report/svg.h"
 
 #include <fmt/format.h>
@@ -21,9 +22,8 @@ constexpr double legend_height = 40;
 constexpr double margin = 14;
 constexpr double inset = 8; // of a panel: lines and dots at its edge
 constexpr double label_height = 22;
-constexpr double graph_shape = 0.45;      // height over width of a panel that shows a function
-constexpr double tallest_panel = 560;     // pixels
-constexpr double nearest_vertices = 0.35; // pixels; closer ones are one to the eye
+constexpr double graph_shape = 0.45;  // height over width of a panel that shows a function
+constexpr double tallest_panel = 560; // pixels
 constexpr std::size_t few_points = 120;
 constexpr std::size_t many_points = 600; // beyond, dots would hide the lines
 
@@ -134,18 +134,10 @@ Grid grid_for(std::size_t panels, const Box& box, bool is_graph) {
     return grid;
 }
 
-/// Vertices that the eye cannot tell apart are left out.
 void append_strand(std::string& path, const PlaneLevel& level, const PointStrands::Strand& strand, const Grid& grid) {
-    Point2 last;
-    for (std::size_t i = 0; i < strand.points.size(); ++i) {
-        const Point2 pixel = grid.pixel(level.points[strand.points[i]]);
-        const bool near = std::max(std::abs(pixel.x - last.x), std::abs(pixel.y - last.y)) < nearest_vertices;
-        if (i > 0 && i + 1 < strand.points.size() && near) continue;
-        path += i == 0 ? 'M' : 'L';
-        append_point(path, pixel);
-        last = pixel;
-    }
-    if (strand.closed) path += 'Z';
+    std::vector<Point2> pixels;
+    for (const std::size_t point : strand.points) pixels.push_back(grid.pixel(level.points[point]));
+    append_polygon(path, pixels, strand.closed);
 }
 
 std::string lines_of(const PlaneLevel& level, const Grid& grid) {

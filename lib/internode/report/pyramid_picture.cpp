@@ -5,6 +5,7 @@
 #include "internode/curve/parameter.h"
 #include "internode/curve/refinement.h"
 #include "internode/report/markup.h"
+#include "internode/report/polygon_path.h"
 #include "internode/report/svg.h"
 
 #include <algorithm>
@@ -19,10 +20,9 @@ constexpr double picture_width = 960;
 constexpr double title_height = 44;
 constexpr double margin = 14;
 constexpr double label_height = 22;
-constexpr double graph_shape = 0.45;      // height over width of a panel that shows a function
-constexpr double tallest_shape = 1.6;     // of a panel
-constexpr std::size_t few_points = 150;   // vertices that are still marked
-constexpr double nearest_vertices = 0.35; // pixels; closer ones are one to the eye
+constexpr double graph_shape = 0.45;    // height over width of a panel that shows a function
+constexpr double tallest_shape = 1.6;   // of a panel
+constexpr std::size_t few_points = 150; // vertices that are still marked
 
 /// The levels as plane polygons: two coordinates, or numbers over their Greville abscissae.
 std::vector<std::vector<Point2>> plane_polygons(const PyramidReport& report) {
@@ -116,19 +116,12 @@ Grid grid_for(std::size_t panels, const Box& box, bool is_graph) {
     return grid;
 }
 
-/// Vertices that the eye cannot tell apart are left out.
 std::string path_data(const std::vector<Point2>& polygon, const Grid& grid, bool closed) {
+    std::vector<Point2> pixels;
+    for (const Point2& point : polygon) pixels.push_back(grid.pixel(point));
     std::string data;
-    Point2 last;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Point2 pixel = grid.pixel(polygon[i]);
-        const bool near = std::max(std::abs(pixel.x - last.x), std::abs(pixel.y - last.y)) < nearest_vertices;
-        if (i > 0 && i + 1 < polygon.size() && near) continue;
-        data += i == 0 ? 'M' : 'L';
-        append_point(data, pixel);
-        last = pixel;
-    }
-    return data + (closed ? "Z" : "");
+    append_polygon(data, pixels, closed);
+    return data;
 }
 
 std::string vertices(const std::vector<Point2>& polygon, const Grid& grid) {

@@ -3,6 +3,7 @@
 #include "internode/report/reversal_picture.h"
 
 #include "internode/report/markup.h"
+#include "internode/report/polygon_path.h"
 #include "internode/report/svg.h"
 
 #include <fmt/format.h>
@@ -19,12 +20,11 @@ constexpr double picture_width = 960;
 constexpr double title_height = 44;
 constexpr double margin = 14;
 constexpr double label_height = 22;
-constexpr double graph_shape = 0.45;      // height over width of a panel that shows numbers
-constexpr double border = 0.03;           // of the size: lines and dots at the edge
-constexpr double tallest_shape = 1.6;     // of a panel
-constexpr double nearest_vertices = 0.35; // pixels; closer ones are one to the eye
-constexpr std::size_t few_points = 200;   // vertices that are still marked
-constexpr std::size_t most_columns = 3;   // panels side by side
+constexpr double graph_shape = 0.45;    // height over width of a panel that shows numbers
+constexpr double border = 0.03;         // of the size: lines and dots at the edge
+constexpr double tallest_shape = 1.6;   // of a panel
+constexpr std::size_t few_points = 200; // vertices that are still marked
+constexpr std::size_t most_columns = 3; // panels side by side
 
 std::vector<Point2> plane(const std::vector<double>& points, std::size_t dimension) {
     std::vector<Point2> polygon;
@@ -67,19 +67,12 @@ Frame frame_of(const std::vector<Point2>& original, std::size_t columns, bool is
     return frame;
 }
 
-/// Vertices that the eye cannot tell apart are left out.
 std::string path_data(const std::vector<Point2>& polygon, const Frame& frame, bool closed) {
+    std::vector<Point2> pixels;
+    for (const Point2& point : polygon) pixels.push_back(frame.pixel(point));
     std::string data;
-    Point2 last;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Point2 pixel = frame.pixel(polygon[i]);
-        const bool near = std::max(std::abs(pixel.x - last.x), std::abs(pixel.y - last.y)) < nearest_vertices;
-        if (i > 0 && i + 1 < polygon.size() && near) continue;
-        data += i == 0 ? 'M' : 'L';
-        append_point(data, pixel);
-        last = pixel;
-    }
-    return data + (closed ? "Z" : "");
+    append_polygon(data, pixels, closed);
+    return data;
 }
 
 std::string dots(const std::vector<Point2>& polygon, const Frame& frame) {
