@@ -3,7 +3,7 @@
 #include "bench/cases.h"
 
 #include "internode/grammar/bundled.h"
-#include "internode/grammar/parse.h"
+#include "internode/grammar/intervals/parse.h"
 #include "internode/interval/validity.h"
 
 #include <algorithm>

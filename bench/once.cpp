@@ -8,9 +8,9 @@
 #include "bench/cases.h"
 
 #include "internode/curve/refinement.h"
-#include "internode/grammar/parse.h"
+#include "internode/grammar/intervals/parse.h"
 #include "internode/interval/validity.h"
-#include "internode/io/input_file.h"
+#include "internode/io/file/input_file.h"
 #include "internode/stencil/coordinate_buffer.h"
 
 #include <sys/resource.h>

@@ -5,8 +5,8 @@
 #include "bench/ours.h"
 
 #include "internode/grammar/bundled.h"
-#include "internode/grammar/parse_points.h"
-#include "internode/point/compile.h"
+#include "internode/grammar/points/parse_points.h"
+#include "internode/point/compile/compile.h"
 
 #include <stdexcept>
 

@@ -4,7 +4,7 @@
 
 #include "bench/ours.h"
 
-#include "internode/io/output_file.h"
+#include "internode/io/file/output_file.h"
 
 #include <cstdio>
 #include <string>

@@ -12,7 +12,7 @@
 #include "cli/option_checks.h"
 #include "cli/places.h"
 #include "cli/public_command_line.h"
-#include "internode/grammar/diagnostic.h"
+#include "internode/text/diagnostic.h"
 
 #include <fmt/format.h>
 

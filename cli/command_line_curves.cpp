@@ -3,7 +3,7 @@
 #include "cli/command_reader.h"
 
 #include "cli/option_checks.h"
-#include "internode/io/number.h"
+#include "internode/text/number.h"
 
 namespace internode::cli {
 

@@ -2,7 +2,7 @@
 
 #include "cli/compiled_points.h"
 
-#include "internode/grammar/parse_points.h"
+#include "internode/grammar/points/parse_points.h"
 #include "internode/point/limits.h"
 
 #include <fmt/format.h>

@@ -6,7 +6,7 @@
 
 #include "cli/options.h"
 #include "cli/points.h"
-#include "internode/point/compile.h"
+#include "internode/point/compile/compile.h"
 
 #include <cstdint>
 #include <optional>

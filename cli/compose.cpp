@@ -5,11 +5,11 @@
 #include "cli/load.h"
 #include "cli/output.h"
 #include "internode/curve/refinement.h"
-#include "internode/grammar/diagnostic.h"
 #include "internode/io/csv.h"
+#include "internode/io/json/pyramid_json.h"
 #include "internode/io/npy.h"
-#include "internode/io/obj.h"
-#include "internode/io/pyramid_json.h"
+#include "internode/io/obj/obj.h"
+#include "internode/text/diagnostic.h"
 
 #include <fmt/format.h>
 

@@ -6,11 +6,11 @@
 #include "cli/load.h"
 #include "cli/polygon.h"
 #include "internode/curve/clamping.h"
-#include "internode/curve/possible_size.h"
-#include "internode/curve/pyramid.h"
 #include "internode/curve/refinement.h"
-#include "internode/grammar/diagnostic.h"
+#include "internode/curve/reverse/possible_size.h"
+#include "internode/curve/reverse/pyramid.h"
 #include "internode/io/polygon.h"
+#include "internode/text/diagnostic.h"
 
 #include <fmt/format.h>
 

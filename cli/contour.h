@@ -7,7 +7,7 @@
 
 #include "cli/options.h"
 #include "internode/curve/knots.h"
-#include "internode/curve/resampling.h"
+#include "internode/curve/reverse/resampling.h"
 
 #include <string>
 #include <vector>

@@ -6,10 +6,10 @@
 #include "cli/polygon.h"
 #include "internode/curve/convergence.h"
 #include "internode/curve/refinement.h"
-#include "internode/report/convergence_json.h"
-#include "internode/report/convergence_page.h"
-#include "internode/report/convergence_text.h"
-#include "internode/report/curve_picture.h"
+#include "internode/report/json/convergence_json.h"
+#include "internode/report/page/convergence_page.h"
+#include "internode/report/picture/curve_picture.h"
+#include "internode/report/text/convergence_text.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include "cli/curve_output.h"
 
 #include "cli/lengths.h"
-#include "internode/io/curve_json.h"
+#include "internode/io/json/curve_json.h"
 
 namespace internode::cli {
 

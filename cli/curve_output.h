@@ -6,8 +6,8 @@
 
 #include "cli/commands.h"
 #include "internode/curve/curve.h"
+#include "internode/io/file/sink.h"
 #include "internode/io/points_view.h"
-#include "internode/io/sink.h"
 
 namespace internode::cli {
 

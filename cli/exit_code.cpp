@@ -2,7 +2,7 @@
 
 #include "cli/exit_code.h"
 
-#include "internode/grammar/diagnostic.h"
+#include "internode/text/diagnostic.h"
 
 namespace internode::cli {
 

@@ -4,8 +4,8 @@
 #include "cli/load.h"
 #include "cli/output.h"
 #include "internode/grammar/grammar_kind.h"
-#include "internode/grammar/print.h"
-#include "internode/grammar/print_points.h"
+#include "internode/grammar/intervals/print.h"
+#include "internode/grammar/points/print_points.h"
 
 namespace internode::cli {
 ExitCode run(const FormatOptions& options, const Context&) {

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "cli/load.h"
-#include "internode/io/obj_freeform.h"
+#include "internode/io/obj/obj_freeform.h"
 
 #include <cstdint>
 #include <optional>

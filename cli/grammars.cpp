@@ -4,7 +4,7 @@
 #include "cli/load.h"
 #include "cli/output.h"
 #include "internode/grammar/bundled.h"
-#include "internode/grammar/diagnostic.h"
+#include "internode/text/diagnostic.h"
 
 #include <fmt/format.h>
 

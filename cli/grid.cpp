@@ -6,8 +6,8 @@
 #include "cli/free_form.h"
 #include "cli/load.h"
 #include "cli/symbols.h"
-#include "internode/grammar/diagnostic.h"
-#include "internode/io/free_form_input.h"
+#include "internode/io/obj/free_form_input.h"
+#include "internode/text/diagnostic.h"
 
 #include <fmt/format.h>
 

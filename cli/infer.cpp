@@ -3,9 +3,9 @@
 #include "cli/commands.h"
 #include "cli/load.h"
 #include "cli/output.h"
-#include "internode/grammar/diagnostic.h"
-#include "internode/io/fraction_matrix.h"
-#include "internode/report/inference_text.h"
+#include "internode/io/matrix/fraction_matrix.h"
+#include "internode/report/text/inference_text.h"
+#include "internode/text/diagnostic.h"
 
 #include <fmt/format.h>
 

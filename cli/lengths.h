@@ -5,7 +5,7 @@
 #pragma once
 
 #include "internode/curve/knots.h"
-#include "internode/io/curve_json.h"
+#include "internode/io/json/curve_json.h"
 
 #include <vector>
 

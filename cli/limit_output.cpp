@@ -6,7 +6,7 @@
 #include "internode/curve/limit.h"
 #include "internode/io/csv.h"
 #include "internode/io/npy.h"
-#include "internode/io/obj.h"
+#include "internode/io/obj/obj.h"
 
 #include <algorithm>
 #include <cmath>

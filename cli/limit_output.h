@@ -6,7 +6,7 @@
 
 #include "internode/curve/homogeneous.h"
 #include "internode/curve/refinement.h"
-#include "internode/io/sink.h"
+#include "internode/io/file/sink.h"
 
 #include <string>
 #include <vector>

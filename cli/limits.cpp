@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include "internode/grammar/limits.h"
+#include "internode/grammar/lexing/limits.h"
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "cli/point_run.h"
@@ -8,7 +8,7 @@
 #include "internode/interval/validity.h"
 #include "internode/io/limits.h"
 #include "internode/point/limits.h"
-#include "internode/report/graph_picture.h"
+#include "internode/report/picture/graph_picture.h"
 #include "internode/stencil/automaton.h"
 
 #include <fmt/format.h>

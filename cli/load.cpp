@@ -4,9 +4,9 @@
 
 #include "cli/exit_code.h"
 #include "internode/grammar/bundled.h"
-#include "internode/grammar/diagnostic.h"
-#include "internode/grammar/parse_points.h"
-#include "internode/io/input_file.h"
+#include "internode/grammar/points/parse_points.h"
+#include "internode/io/file/input_file.h"
+#include "internode/text/diagnostic.h"
 
 #include <fmt/format.h>
 

@@ -6,9 +6,9 @@
 
 #include "cli/options.h"
 #include "internode/curve/curve.h"
-#include "internode/grammar/interval_grammar.h"
-#include "internode/grammar/parse.h"
-#include "internode/grammar/point_grammar.h"
+#include "internode/grammar/intervals/interval_grammar.h"
+#include "internode/grammar/intervals/parse.h"
+#include "internode/grammar/points/point_grammar.h"
 #include "internode/interval/validity.h"
 
 #include <string>

@@ -4,8 +4,7 @@
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "cli/signals.h"
-#include "internode/interval/decomposition_graph.h"
-#include "internode/stencil/automaton.h"
+#include "internode/text/limits.h"
 
 #include <exception>
 #include <new>
@@ -22,10 +21,7 @@ ExitCode explain(const cli::CommonOptions& common) {
     } catch (const cli::Failure& failure) {
         cli::say(common, failure.what());
         return failure.code();
-    } catch (const TooManyWords& error) {
-        cli::say(common, std::string("error: ") + error.what() + '\n');
-        return ExitCode::Refused;
-    } catch (const TooManyStates& error) {
+    } catch (const LimitExceeded& error) {
         cli::say(common, std::string("error: ") + error.what() + '\n');
         return ExitCode::Refused;
     } catch (const std::bad_alloc&) {

@@ -3,11 +3,11 @@
 #include "cli/commands.h"
 #include "cli/output.h"
 #include "cli/point_system.h"
-#include "internode/grammar/diagnostic.h"
-#include "internode/io/fraction_matrix.h"
-#include "internode/io/matrix_market.h"
-#include "internode/point/grammar_mask.h"
+#include "internode/io/matrix/fraction_matrix.h"
+#include "internode/io/matrix/matrix_market.h"
+#include "internode/point/compile/grammar_mask.h"
 #include "internode/report/point_masks.h"
+#include "internode/text/diagnostic.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 
 #include "cli/exit_code.h"
 #include "internode/curve/knots.h"
-#include "internode/io/number.h"
+#include "internode/text/number.h"
 
 #include <fmt/format.h>
 

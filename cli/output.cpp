@@ -4,7 +4,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/signals.h"
-#include "internode/grammar/diagnostic.h"
+#include "internode/text/diagnostic.h"
 
 #include <fmt/format.h>
 

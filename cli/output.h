@@ -5,7 +5,7 @@
 #pragma once
 
 #include "cli/options.h"
-#include "internode/io/output_file.h"
+#include "internode/io/file/output_file.h"
 
 #include <cstdint>
 #include <string>

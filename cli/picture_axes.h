@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "internode/report/planar_curve.h"
+#include "internode/report/picture/planar_curve.h"
 
 #include <cstddef>
 #include <string>

@@ -4,8 +4,8 @@
 
 #include "internode/io/csv.h"
 #include "internode/io/npy.h"
-#include "internode/io/obj.h"
-#include "internode/report/points_json.h"
+#include "internode/io/obj/obj.h"
+#include "internode/report/json/points_json.h"
 
 #include <fmt/format.h>
 

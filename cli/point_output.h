@@ -6,7 +6,7 @@
 
 #include "cli/commands.h"
 #include "cli/points.h"
-#include "internode/io/sink.h"
+#include "internode/io/file/sink.h"
 
 #include <cstdint>
 #include <string>

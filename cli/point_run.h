@@ -5,9 +5,9 @@
 #pragma once
 
 #include "cli/points.h"
-#include "internode/io/sink.h"
-#include "internode/report/derivation_tree.h"
-#include "internode/report/levels_picture.h"
+#include "internode/io/file/sink.h"
+#include "internode/report/picture/derivation_tree.h"
+#include "internode/report/picture/levels_picture.h"
 
 #include <cstdint>
 #include <vector>

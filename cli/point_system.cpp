@@ -4,8 +4,8 @@
 
 #include "cli/exit_code.h"
 #include "cli/points.h"
-#include "internode/grammar/diagnostic.h"
-#include "internode/grammar/parse_points.h"
+#include "internode/grammar/points/parse_points.h"
+#include "internode/text/diagnostic.h"
 
 #include <fmt/format.h>
 

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "cli/load.h"
-#include "internode/grammar/diagnostic.h"
 #include "internode/point/point_system.h"
+#include "internode/text/diagnostic.h"
 
 #include <string>
 #include <vector>

@@ -5,8 +5,8 @@
 #include "cli/point_system.h"
 #include "cli/polygon.h"
 #include "internode/algebra/rational.h"
-#include "internode/grammar/diagnostic.h"
-#include "internode/grammar/parse_points.h"
+#include "internode/grammar/points/parse_points.h"
+#include "internode/text/diagnostic.h"
 
 #include <fmt/format.h>
 

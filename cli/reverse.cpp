@@ -6,7 +6,7 @@
 #include "cli/load.h"
 #include "cli/output.h"
 #include "cli/places.h"
-#include "internode/grammar/parse_points.h"
+#include "internode/grammar/points/parse_points.h"
 #include "internode/io/csv.h"
 #include "internode/report/pyramid_report.h"
 

@@ -5,13 +5,13 @@
 #include "cli/places.h"
 #include "cli/point_system.h"
 #include "cli/polygon.h"
-#include "internode/grammar/diagnostic.h"
-#include "internode/grammar/print_points.h"
+#include "internode/grammar/points/print_points.h"
 #include "internode/io/csv.h"
-#include "internode/point/grammar_mask.h"
+#include "internode/point/compile/grammar_mask.h"
 #include "internode/point/interpreter.h"
-#include "internode/report/reversal_picture.h"
+#include "internode/report/picture/reversal_picture.h"
 #include "internode/report/reversal_report.h"
+#include "internode/text/diagnostic.h"
 
 #include <fmt/format.h>
 

@@ -10,13 +10,13 @@
 #include "cli/point_options.h"
 #include "cli/polygon.h"
 #include "internode/curve/refinement.h"
-#include "internode/grammar/parse_points.h"
+#include "internode/grammar/points/parse_points.h"
 #include "internode/io/csv.h"
-#include "internode/io/curve_json.h"
+#include "internode/io/json/curve_json.h"
 #include "internode/io/npy.h"
-#include "internode/io/number.h"
-#include "internode/io/obj.h"
-#include "internode/report/curve_picture.h"
+#include "internode/io/obj/obj.h"
+#include "internode/report/picture/curve_picture.h"
+#include "internode/text/number.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include "cli/grid.h"
 #include "cli/lengths.h"
 #include "cli/output.h"
-#include "internode/io/grid_json.h"
+#include "internode/io/json/grid_json.h"
 #include "internode/io/sheet_files.h"
 #include "internode/stencil/automaton.h"
 #include "internode/surface/limit.h"

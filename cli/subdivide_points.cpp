@@ -7,7 +7,7 @@
 #include "cli/point_options.h"
 #include "cli/point_output.h"
 #include "cli/point_run.h"
-#include "internode/grammar/diagnostic.h"
+#include "internode/text/diagnostic.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include "cli/symbols.h"
 
 #include "cli/exit_code.h"
-#include "internode/grammar/limits.h"
+#include "internode/grammar/lexing/limits.h"
 
 #include <fmt/format.h>
 

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "internode/curve/knot_vector.h"
-#include "internode/grammar/diagnostic.h"
 #include "internode/io/polygon.h"
+#include "internode/text/diagnostic.h"
 
 namespace internode::cli {
 

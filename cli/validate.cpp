@@ -5,11 +5,11 @@
 #include "cli/output.h"
 #include "cli/point_options.h"
 #include "cli/points.h"
-#include "internode/grammar/parse_points.h"
-#include "internode/report/point_validation_json.h"
-#include "internode/report/point_validation_text.h"
-#include "internode/report/validation_json.h"
-#include "internode/report/validation_text.h"
+#include "internode/grammar/points/parse_points.h"
+#include "internode/report/json/point_validation_json.h"
+#include "internode/report/json/validation_json.h"
+#include "internode/report/text/point_validation_text.h"
+#include "internode/report/text/validation_text.h"
 
 #include <variant>
 

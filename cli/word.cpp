@@ -3,8 +3,8 @@
 #include "cli/commands.h"
 #include "cli/load.h"
 #include "cli/output.h"
-#include "internode/io/json_writer.h"
-#include "internode/report/json_parts.h"
+#include "internode/io/json/json_writer.h"
+#include "internode/report/json/json_parts.h"
 
 #include <fmt/format.h>
 

@@ -4,8 +4,8 @@
 
 #include "tests/cli/command.h"
 
-#include "internode/io/number.h"
 #include "internode/io/polygon.h"
+#include "internode/text/number.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include "tests/cli/command.h"
 
-#include "internode/io/number.h"
+#include "internode/text/number.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 // The installed library from end to end: a grammar is read, decided and used to refine a square.
 
 #include <internode/curve/refinement.h>
-#include <internode/grammar/parse.h>
+#include <internode/grammar/intervals/parse.h>
 #include <internode/interval/validity.h>
 
 #include <cstdio>

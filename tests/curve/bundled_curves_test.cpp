@@ -6,8 +6,8 @@
 #include "internode/curve/homogeneous.h"
 #include "internode/curve/knot_vector.h"
 #include "internode/curve/refinement.h"
-#include "internode/io/free_form_input.h"
-#include "internode/io/input_file.h"
+#include "internode/io/file/input_file.h"
+#include "internode/io/obj/free_form_input.h"
 #include "tests/reference/random_curve.h"
 
 #include <algorithm>

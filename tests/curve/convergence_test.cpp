@@ -5,7 +5,7 @@
 #include "internode/curve/distance.h"
 #include "internode/curve/refinement.h"
 #include "internode/grammar/bundled.h"
-#include "internode/grammar/parse.h"
+#include "internode/grammar/intervals/parse.h"
 #include "internode/spline/blossom.h"
 #include "tests/reference/de_boor.h"
 #include "tests/reference/random_curve.h"

@@ -2,9 +2,9 @@
 //
 // Any text as a CSV polygon: refused with places, or accepted and then the same after being written and read again.
 
-#include "internode/grammar/diagnostic.h"
 #include "internode/io/csv.h"
 #include "internode/io/polygon.h"
+#include "internode/text/diagnostic.h"
 
 #include <cmath>
 #include <cstdint>

@@ -2,9 +2,9 @@
 //
 // Any text as a JSON curve: refused with places, or accepted and then the same after being written and read again.
 
-#include "internode/grammar/diagnostic.h"
-#include "internode/io/curve_json.h"
+#include "internode/io/json/curve_json.h"
 #include "internode/io/polygon.h"
+#include "internode/text/diagnostic.h"
 
 #include <cstdint>
 #include <cstdlib>

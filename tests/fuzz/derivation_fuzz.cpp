@@ -3,7 +3,7 @@
 // Any bytes that are a point grammar and a system are derived and interpreted: nothing crashes, words and work keep
 // their limits, what was predicted is what comes, all numbers are finite, and everything is the same the second time.
 
-#include "internode/grammar/parse_points.h"
+#include "internode/grammar/points/parse_points.h"
 #include "internode/point/interpreter.h"
 
 #include <algorithm>

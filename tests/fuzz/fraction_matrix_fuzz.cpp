@@ -2,8 +2,8 @@
 //
 // Any text as a matrix: refused with places, or accepted and then the same after being written and read again.
 
-#include "internode/grammar/diagnostic.h"
-#include "internode/io/fraction_matrix.h"
+#include "internode/io/matrix/fraction_matrix.h"
+#include "internode/text/diagnostic.h"
 
 #include <cstdint>
 #include <cstdlib>

@@ -2,9 +2,9 @@
 //
 // Any text as a JSON grid: refused with places, or accepted and then the same after being written and read again.
 
-#include "internode/grammar/diagnostic.h"
-#include "internode/io/grid_json.h"
-#include "internode/io/input_grid.h"
+#include "internode/io/json/grid_json.h"
+#include "internode/io/json/input_grid.h"
+#include "internode/text/diagnostic.h"
 
 #include <cstdint>
 #include <cstdlib>

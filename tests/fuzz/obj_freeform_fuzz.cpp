@@ -5,9 +5,9 @@
 
 #include "internode/curve/knot_vector.h"
 #include "internode/curve/knots.h"
-#include "internode/grammar/parse.h"
+#include "internode/grammar/intervals/parse.h"
 #include "internode/interval/validity.h"
-#include "internode/io/free_form_input.h"
+#include "internode/io/obj/free_form_input.h"
 
 #include <cmath>
 #include <cstdint>

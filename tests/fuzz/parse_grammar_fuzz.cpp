@@ -2,8 +2,8 @@
 //
 // Any bytes are a grammar or have errors with a place; what is a grammar survives printing and reading.
 
-#include "internode/grammar/parse.h"
-#include "internode/grammar/print.h"
+#include "internode/grammar/intervals/parse.h"
+#include "internode/grammar/intervals/print.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -3,8 +3,8 @@
 // Any bytes are a point grammar or have errors with a place; what is a grammar survives printing and reading, and its
 // places are in the text.
 
-#include "internode/grammar/parse_points.h"
-#include "internode/grammar/print_points.h"
+#include "internode/grammar/points/parse_points.h"
+#include "internode/grammar/points/print_points.h"
 
 #include <cstddef>
 #include <cstdint>

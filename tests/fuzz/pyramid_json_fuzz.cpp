@@ -3,8 +3,8 @@
 // Any text as a pyramid: refused with a place, or read; and a small one is refused with a sentence or put together to
 // as many points as it says.
 
-#include "internode/grammar/diagnostic.h"
-#include "internode/io/pyramid_json.h"
+#include "internode/io/json/pyramid_json.h"
+#include "internode/text/diagnostic.h"
 
 #include <cstdint>
 #include <cstdlib>

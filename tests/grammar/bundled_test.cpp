@@ -2,8 +2,8 @@
 
 #include "internode/grammar/bundled.h"
 
-#include "internode/grammar/parse.h"
-#include "internode/grammar/parse_points.h"
+#include "internode/grammar/intervals/parse.h"
+#include "internode/grammar/points/parse_points.h"
 
 #include <gmock/gmock.h>
 

@@ -3,10 +3,10 @@
 // Every prefix of every bundled grammar and every damaged byte: a grammar, or errors with a place (P2).
 
 #include "internode/grammar/bundled.h"
-#include "internode/grammar/parse.h"
-#include "internode/grammar/parse_points.h"
-#include "internode/grammar/print.h"
-#include "internode/grammar/print_points.h"
+#include "internode/grammar/intervals/parse.h"
+#include "internode/grammar/intervals/print.h"
+#include "internode/grammar/points/parse_points.h"
+#include "internode/grammar/points/print_points.h"
 
 #include <gtest/gtest.h>
 

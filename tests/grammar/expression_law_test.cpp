@@ -3,8 +3,8 @@
 // Printing and reading of expressions over all small ones: a program without operations on literals alone comes back as
 // it was, any other with its value.
 
-#include "internode/grammar/parse_points.h"
-#include "internode/grammar/print_points.h"
+#include "internode/grammar/points/parse_points.h"
+#include "internode/grammar/points/print_points.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include "internode/grammar/parse.h"
+#include "internode/grammar/intervals/parse.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 //
 // What is refused in a point grammar, where, and with which remedy.
 
-#include "internode/grammar/parse_points.h"
+#include "internode/grammar/points/parse_points.h"
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,10 @@
 // What is too large in a point grammar is refused with its number, and hostile sizes are met in linear time and bounded
 // memory: each of these texts would hang, overflow the stack or exhaust memory if it were not.
 
-#include "internode/grammar/limits.h"
+#include "internode/grammar/lexing/limits.h"
 
-#include "internode/grammar/parse_points.h"
-#include "internode/grammar/print_points.h"
+#include "internode/grammar/points/parse_points.h"
+#include "internode/grammar/points/print_points.h"
 #include "tests/reference/small_stack.h"
 
 #include <gmock/gmock.h>

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include "internode/grammar/interval_grammar.h"
+#include "internode/grammar/intervals/interval_grammar.h"
 
 #include <sstream>
 #include <string>

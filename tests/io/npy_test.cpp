@@ -2,7 +2,7 @@
 
 #include "internode/io/npy.h"
 
-#include "internode/io/output_file.h"
+#include "internode/io/file/output_file.h"
 #include "tests/io/temporary_folder.h"
 
 #include <cstring>

@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "internode/grammar/parse_points.h"
+#include "internode/grammar/points/parse_points.h"
 #include "internode/point/interpreter.h"
 
 #include <fstream>

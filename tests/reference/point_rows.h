@@ -6,7 +6,7 @@
 #pragma once
 
 #include "internode/algebra/rational_matrix.h"
-#include "internode/grammar/point_grammar.h"
+#include "internode/grammar/points/point_grammar.h"
 #include "internode/point/matching.h"
 
 #include <algorithm>

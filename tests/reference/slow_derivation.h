@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include "internode/grammar/point_grammar.h"
+#include "internode/grammar/points/point_grammar.h"
 
 #include "tests/reference/slow_matching.h"
 

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "internode/grammar/bundled.h"
-#include "internode/grammar/parse.h"
+#include "internode/grammar/intervals/parse.h"
 #include "internode/interval/validity.h"
 
 #include <stdexcept>

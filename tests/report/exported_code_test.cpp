@@ -4,7 +4,7 @@
 // library, by the C header as C and as C++, and by the GLSL snippet as C++; GLSL is also given to its own compiler.
 
 #include "internode/curve/refinement.h"
-#include "internode/report/automaton_code.h"
+#include "internode/report/code/automaton_code.h"
 #include "internode/word/factors.h"
 #include "tests/reference/random_curve.h"
 #include "tests/reference/systems.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 
-#include "internode/grammar/parse_points.h"
-#include "internode/report/point_validation_json.h"
-#include "internode/report/point_validation_text.h"
+#include "internode/grammar/points/parse_points.h"
+#include "internode/report/json/point_validation_json.h"
+#include "internode/report/text/point_validation_text.h"
 #include "tests/report/systems.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include "internode/report/reversal_picture.h"
+#include "internode/report/picture/reversal_picture.h"
 #include "internode/report/reversal_report.h"
 
 #include <stdexcept>

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "internode/curve/curve.h"
-#include "internode/grammar/parse.h"
+#include "internode/grammar/intervals/parse.h"
 #include "internode/interval/validity.h"
 
 #include <gtest/gtest.h>

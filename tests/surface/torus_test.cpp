@@ -3,8 +3,8 @@
 // The torus of rational biquadratic patches: what refinement and limits make of it stays on the torus.
 
 #include "internode/curve/knot_vector.h"
-#include "internode/io/input_file.h"
-#include "internode/io/input_grid.h"
+#include "internode/io/file/input_file.h"
+#include "internode/io/json/input_grid.h"
 #include "internode/surface/limit.h"
 #include "internode/surface/refinement.h"
 #include "tests/reference/random_curve.h"

@@ -3,7 +3,7 @@
 #include "internode/curve/knot_vector.h"
 
 #include "internode/curve/length_fit.h"
-#include "internode/grammar/limits.h"
+#include "internode/grammar/lexing/limits.h"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "internode/algebra/perron.h"
-#include "internode/grammar/interval_grammar.h"
+#include "internode/grammar/intervals/interval_grammar.h"
 
 #include <cstdint>
 #include <limits>

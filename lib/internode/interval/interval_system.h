@@ -9,7 +9,7 @@
 #pragma once
 
 #include "internode/algebra/number.h"
-#include "internode/grammar/interval_grammar.h"
+#include "internode/grammar/intervals/interval_grammar.h"
 
 #include <cstdint>
 #include <memory>

@@ -10,7 +10,7 @@
 
 #pragma once
 
-#include "internode/grammar/interval_grammar.h"
+#include "internode/grammar/intervals/interval_grammar.h"
 #include "internode/interval/interval_system.h"
 #include "internode/interval/quantity.h"
 

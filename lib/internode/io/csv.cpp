@@ -2,7 +2,7 @@
 
 #include "internode/io/csv.h"
 
-#include "internode/io/text_buffer.h"
+#include "internode/io/file/text_buffer.h"
 
 #include <cmath>
 #include <stdexcept>

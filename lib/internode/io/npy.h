@@ -4,8 +4,8 @@
 
 #pragma once
 
+#include "internode/io/file/sink.h"
 #include "internode/io/points_view.h"
-#include "internode/io/sink.h"
 
 namespace internode {
 

@@ -10,8 +10,8 @@
 #pragma once
 
 #include "internode/algebra/rational.h"
-#include "internode/grammar/diagnostic.h"
-#include "internode/io/text_place.h"
+#include "internode/text/diagnostic.h"
+#include "internode/text/place.h"
 
 #include <cstddef>
 #include <optional>

@@ -3,7 +3,7 @@
 #include "internode/io/polygon.h"
 
 #include "internode/io/limits.h"
-#include "internode/io/number.h"
+#include "internode/text/number.h"
 
 #include <algorithm>
 #include <array>

@@ -2,9 +2,9 @@
 
 #include "internode/io/sheet_files.h"
 
-#include "internode/io/binary_buffer.h"
-#include "internode/io/comment_text.h"
-#include "internode/io/text_buffer.h"
+#include "internode/io/file/binary_buffer.h"
+#include "internode/io/file/comment_text.h"
+#include "internode/io/file/text_buffer.h"
 
 #include <algorithm>
 #include <array>

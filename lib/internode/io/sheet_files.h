@@ -7,7 +7,7 @@
 
 #pragma once
 
-#include "internode/io/sink.h"
+#include "internode/io/file/sink.h"
 #include "internode/surface/sheet.h"
 
 #include <cstdint>

@@ -2,8 +2,8 @@
 
 #include "internode/point/constants.h"
 
-#include "internode/grammar/diagnostic.h"
 #include "internode/point/kinds.h"
+#include "internode/text/diagnostic.h"
 
 #include <fmt/format.h>
 
@@ -122,7 +122,7 @@ void check_settings(const PointGrammar& grammar, const std::map<std::string, Rat
 /// All formals of a function are numbers.
 bool is_a_number(const Definition& definition, const PointGrammar& grammar, std::vector<PointProblem>& problems) {
     const std::vector<Extent> numbers(definition.formals.size(), 0);
-    return expect_kind({}, fmt::format("`{}`", definition.name), definition.value, {definition.formals, numbers},
+    return expect_type({}, fmt::format("`{}`", definition.name), definition.value, {definition.formals, numbers},
                        grammar, problems);
 }
 

@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "internode/point/known_number.h"
+#include "internode/expression/known_number.h"
 #include "internode/point/limits.h"
 #include "internode/point/point_system.h"
 
@@ -24,7 +24,7 @@ namespace internode {
 [[nodiscard]] std::vector<std::uint64_t> definition_costs(const PointGrammar& grammar);
 
 /// The value of an expression without formals, or of a function with all its arguments known. `constants`: of the
-/// definitions that it may use. Precondition: its kinds and its cost are checked.
+/// definitions that it may use. Precondition: its types and its cost are checked.
 [[nodiscard]] KnownNumber evaluate_known(const Expression& expression, std::vector<KnownNumber> arguments,
                                          const PointGrammar& grammar, std::span<const KnownNumber> constants);
 

@@ -15,7 +15,7 @@ std::uint32_t width_of(Extent extent) {
 
 } // namespace
 
-/// One expression on its way to a program: the stack of kinds, with the values that are known already.
+/// One expression on its way to a program: the stack of types, with the values that are known already.
 class ProgramMaker::Compilation {
 public:
     Compilation(ProgramMaker& maker, const Expression& expression, std::span<const Extent> formals)
@@ -32,7 +32,7 @@ public:
     Program run() {
         for (const Instruction& instruction : expression_.code) take(instruction);
         assert(stack_.size() == 1);
-        program_.kind_ = stack_.back().kind;
+        program_.type_ = stack_.back().type;
         return std::move(program_);
     }
 
@@ -40,7 +40,7 @@ private:
     using Code = Program::Code;
 
     struct Operand {
-        Kind kind;
+        ExpressionType type;
         std::size_t first_step = 0;
         std::size_t first_number = 0;
         std::vector<KnownNumber> known; ///< all coordinates or none
@@ -62,20 +62,20 @@ private:
         }
     }
 
-    void push_known(Kind kind, std::vector<KnownNumber> known) {
+    void push_known(ExpressionType type, std::vector<KnownNumber> known) {
         const auto first = static_cast<std::uint32_t>(program_.numbers_.size());
-        stack_.push_back({kind, program_.steps_.size(), first, {}});
+        stack_.push_back({type, program_.steps_.size(), first, {}});
         for (const KnownNumber& one : known) program_.numbers_.push_back(nearest(one));
         add_step({Code::Push, static_cast<std::uint32_t>(known.size()), first, 0});
         stack_.back().known = std::move(known);
-        grow(width_of(kind.extent));
+        grow(width_of(type.extent));
     }
 
     void push_formal(std::uint32_t formal) {
-        const Kind kind{false, extents_[formal]};
-        stack_.push_back({kind, program_.steps_.size(), program_.numbers_.size(), {}});
-        add_step({Code::PushFormal, width_of(kind.extent), offsets_[formal], 0});
-        grow(width_of(kind.extent));
+        const ExpressionType type{false, extents_[formal]};
+        stack_.push_back({type, program_.steps_.size(), program_.numbers_.size(), {}});
+        add_step({Code::PushFormal, width_of(type.extent), offsets_[formal], 0});
+        grow(width_of(type.extent));
     }
 
     void combine(Instruction instruction) {
@@ -86,21 +86,21 @@ private:
         const std::span<Operand> operands = std::span(stack_).last(count);
         const bool known = std::ranges::none_of(operands, [](const Operand& one) { return one.known.empty(); });
         if (known && fold(instruction, operands)) return;
-        const Kind kind = emit(instruction, operands);
-        const Operand first{kind, operands.front().first_step, operands.front().first_number, {}};
+        const ExpressionType type = emit(instruction, operands);
+        const Operand first{type, operands.front().first_step, operands.front().first_number, {}};
         replace(count, first);
     }
 
     void replace(std::size_t count, Operand result) {
-        for (const Operand& one : std::span(stack_).last(count)) height_ -= width_of(one.kind.extent);
+        for (const Operand& one : std::span(stack_).last(count)) height_ -= width_of(one.type.extent);
         stack_.resize(stack_.size() - count);
-        grow(width_of(result.kind.extent));
+        grow(width_of(result.type.extent));
         stack_.push_back(std::move(result));
     }
 
     /// Computes what is known and takes the steps of the operands back.
     bool fold(Instruction instruction, std::span<Operand> operands) {
-        Kind kind;
+        ExpressionType type;
         std::vector<KnownNumber> known;
         if (instruction.operation == Operation::Call) {
             const std::uint64_t cost = maker_.costs_[instruction.operand];
@@ -111,29 +111,29 @@ private:
             known.push_back(evaluate_known(maker_.grammar_.definitions[instruction.operand].value, std::move(arguments),
                                            maker_.grammar_, maker_.constants_));
         } else {
-            known = fold_operation(instruction, operands, kind);
+            known = fold_operation(instruction, operands, type);
         }
         program_.steps_.resize(operands.front().first_step);
         program_.numbers_.resize(operands.front().first_number);
-        for (const Operand& one : operands) height_ -= width_of(one.kind.extent);
+        for (const Operand& one : operands) height_ -= width_of(one.type.extent);
         stack_.resize(stack_.size() - operands.size());
-        push_known(kind, std::move(known));
+        push_known(type, std::move(known));
         return true;
     }
 
     static std::vector<KnownNumber> fold_operation(Instruction instruction, std::span<const Operand> operands,
-                                                   Kind& kind) {
+                                                   ExpressionType& type) {
         std::vector<KnownNumber> known;
         if (instruction.operation == Operation::Coordinate) return {operands[0].known[instruction.operand]};
         if (instruction.operation == Operation::Point) {
             for (const Operand& one : operands) known.push_back(one.known.front());
-            kind.extent = instruction.operand;
+            type.extent = instruction.operand;
             return known;
         }
-        kind = result_kind(instruction.operation, operands);
+        type = result_type(instruction.operation, operands);
         // A number stands beside each coordinate of a point.
         const auto at = [](const Operand& one, std::size_t i) { return one.known[one.known.size() == 1 ? 0 : i]; };
-        for (std::size_t i = 0; i < width_of(kind.extent); ++i) {
+        for (std::size_t i = 0; i < width_of(type.extent); ++i) {
             std::vector<KnownNumber> arguments;
             for (const Operand& one : operands) arguments.push_back(at(one, i));
             known.push_back(apply_operation(instruction.operation, arguments));
@@ -141,28 +141,28 @@ private:
         return known;
     }
 
-    static Kind result_kind(Operation operation, std::span<const Operand> operands) {
+    static ExpressionType result_type(Operation operation, std::span<const Operand> operands) {
         switch (operation) {
         case Operation::Negate:
         case Operation::Add:
         case Operation::Subtract:
         case Operation::Divide:
-            return operands[0].kind;
+            return operands[0].type;
         case Operation::Multiply:
-            return operands[0].kind.extent > 0 ? operands[0].kind : operands[1].kind;
+            return operands[0].type.extent > 0 ? operands[0].type : operands[1].type;
         default:
             return {operation >= Operation::Less, 0};
         }
     }
 
-    Kind emit(Instruction instruction, std::span<const Operand> operands) {
-        const Kind kind = result_kind(instruction.operation, operands);
-        const std::uint32_t width = width_of(kind.extent);
+    ExpressionType emit(Instruction instruction, std::span<const Operand> operands) {
+        const ExpressionType type = result_type(instruction.operation, operands);
+        const std::uint32_t width = width_of(type.extent);
         switch (instruction.operation) {
         case Operation::Point:
             return {false, instruction.operand}; // its coordinates are there already
         case Operation::Coordinate:
-            add_step({Code::TakeCoordinate, operands[0].kind.extent, instruction.operand, 0});
+            add_step({Code::TakeCoordinate, operands[0].type.extent, instruction.operand, 0});
             return {};
         case Operation::Call:
             grow(maker_.functions_[instruction.operand].depth_, 0);
@@ -187,7 +187,7 @@ private:
             add_step({operands.size() == 1 ? Code::ApplyOne : Code::ApplyTwo, 1,
                       static_cast<std::uint32_t>(instruction.operation), 0});
         }
-        return kind;
+        return type;
     }
 
     /// `… + 3/4 v` adds in one step.
@@ -202,7 +202,7 @@ private:
     /// `3/4 v` is one step.
     void add_product(std::span<const Operand> operands, std::uint32_t width) {
         std::vector<Program::Step>& steps = program_.steps_;
-        if (operands[0].kind.extent > 0) {
+        if (operands[0].type.extent > 0) {
             add_step({Code::TopTimesNumber, width, 0, 0});
             return;
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Expressions compiled for doubles: the kinds are known, so a point is so many doubles on a flat stack.
+// Expressions compiled for doubles: the types are known, so a point is so many doubles on a flat stack.
 //
 // What does not depend on a formal is folded: computed exactly (known_number.h) and rounded once. Everything else is
 // done as written, left to right, in doubles; truths are 1 and 0, both operands of `and` and `or` are evaluated.
@@ -20,9 +20,9 @@ namespace internode {
 
 class Program {
 public:
-    [[nodiscard]] Kind kind() const { return kind_; }
+    [[nodiscard]] ExpressionType type() const { return type_; }
     /// The doubles of the value.
-    [[nodiscard]] std::size_t width() const { return kind_.extent == 0 ? 1 : kind_.extent; }
+    [[nodiscard]] std::size_t width() const { return type_.extent == 0 ? 1 : type_.extent; }
 
 private:
     friend class ProgramMaker;
@@ -53,7 +53,7 @@ private:
 
     std::vector<Step> steps_;
     std::vector<double> numbers_;
-    Kind kind_;
+    ExpressionType type_;
     std::size_t depth_ = 0; ///< doubles that the stack needs at most, those of called functions included
 };
 
@@ -65,7 +65,7 @@ public:
 
     /// One per definition; those without formals are empty.
     [[nodiscard]] const std::vector<Program>& functions() const { return functions_; }
-    /// Precondition: kind_of() accepts the expression. `formals`: the extent of each.
+    /// Precondition: type_of() accepts the expression. `formals`: the extent of each.
     [[nodiscard]] Program make(const Expression& expression, std::span<const Extent> formals);
 
 private:

@@ -2,7 +2,7 @@
 
 #include "internode/point/kinds.h"
 
-#include "internode/io/limits.h"
+#include "internode/text/limits.h"
 
 #include <fmt/format.h>
 
@@ -13,17 +13,17 @@ namespace internode {
 
 namespace {
 
-constexpr Kind number{};
-constexpr Kind truth{true, 0};
+constexpr ExpressionType number{};
+constexpr ExpressionType truth{true, 0};
 constexpr std::array<char, 4> coordinate_names{'x', 'y', 'z', 'w'};
 
-bool is_point(Kind kind) {
-    return kind.extent > 0;
+bool is_point(ExpressionType type) {
+    return type.extent > 0;
 }
 
 /// One value on the stack and the instruction that made it.
 struct Operand {
-    Kind kind;
+    ExpressionType type;
     std::size_t instruction = 0;
 };
 
@@ -34,11 +34,11 @@ public:
         , formals_(formals)
         , grammar_(grammar) {}
 
-    std::optional<Kind> run() {
+    std::optional<ExpressionType> run() {
         for (at_ = 0; at_ < expression_.code.size() && message_.empty(); ++at_) step(expression_.code[at_]);
         if (!message_.empty()) return std::nullopt;
         assert(stack_.size() == 1);
-        return stack_.back().kind;
+        return stack_.back().type;
     }
     [[nodiscard]] PointProblem problem() const { return {expression_.place, message_, hint_}; }
 
@@ -50,13 +50,14 @@ private:
         const std::size_t count = operand_count(instruction, arity);
         assert(count <= stack_.size());
         const std::span<const Operand> operands(stack_.data() + (stack_.size() - count), count);
-        const Kind result = operation == Operation::Formal ? Kind{false, formals_.extents[instruction.operand]}
-                                                           : result_of(instruction, operands);
+        const ExpressionType result = operation == Operation::Formal
+                                          ? ExpressionType{false, formals_.extents[instruction.operand]}
+                                          : result_of(instruction, operands);
         stack_.resize(stack_.size() - count);
         stack_.push_back({result, at_});
     }
 
-    Kind result_of(Instruction instruction, std::span<const Operand> operands) {
+    ExpressionType result_of(Instruction instruction, std::span<const Operand> operands) {
         switch (instruction.operation) {
         case Operation::Negate:
             return negate(operands[0]);
@@ -93,37 +94,37 @@ private:
         }
     }
 
-    Kind negate(const Operand& operand) {
-        if (operand.kind.truth) fail(fmt::format("the negative of {}", shown(operand)), "write `not`");
-        return operand.kind;
+    ExpressionType negate(const Operand& operand) {
+        if (operand.type.truth) fail(fmt::format("the negative of {}", shown(operand)), "write `not`");
+        return operand.type;
     }
 
-    Kind sum(const Operand& a, const Operand& b, bool added) {
-        if (a.kind == b.kind && !a.kind.truth) return a.kind;
+    ExpressionType sum(const Operand& a, const Operand& b, bool added) {
+        if (a.type == b.type && !a.type.truth) return a.type;
         std::string hint = "points are added to points of as many coordinates, numbers to numbers";
         fail(added ? fmt::format("{} and {} cannot be added", shown(a), shown(b))
                    : fmt::format("{} cannot be subtracted from {}", shown(b), shown(a)),
              std::move(hint));
-        return a.kind;
+        return a.type;
     }
 
-    Kind product(const Operand& a, const Operand& b) {
-        if (a.kind.truth || b.kind.truth || (is_point(a.kind) && is_point(b.kind)))
+    ExpressionType product(const Operand& a, const Operand& b) {
+        if (a.type.truth || b.type.truth || (is_point(a.type) && is_point(b.type)))
             fail(fmt::format("{} times {} has no meaning", shown(a), shown(b)),
                  "a product is of two numbers or of a number and a point");
-        return is_point(a.kind) ? a.kind : b.kind;
+        return is_point(a.type) ? a.type : b.type;
     }
 
-    Kind quotient(const Operand& a, const Operand& b) {
-        if (a.kind.truth || b.kind != number)
+    ExpressionType quotient(const Operand& a, const Operand& b) {
+        if (a.type.truth || b.type != number)
             fail(fmt::format("{} cannot be divided by {}", shown(a), shown(b)),
-                 is_point(b.kind) ? "divide by a coordinate: `v.x`" : "");
-        return a.kind;
+                 is_point(b.type) ? "divide by a coordinate: `v.x`" : "");
+        return a.type;
     }
 
-    Kind point(std::size_t size, std::span<const Operand> operands) {
+    ExpressionType point(std::size_t size, std::span<const Operand> operands) {
         for (const Operand& operand : operands)
-            if (operand.kind != number) {
+            if (operand.type != number) {
                 fail(fmt::format("{} as a coordinate of a point", shown(operand)), "coordinates are numbers");
                 return number;
             }
@@ -132,30 +133,30 @@ private:
         return {false, static_cast<Extent>(size)};
     }
 
-    Kind coordinate(std::uint32_t index, const Operand& operand) {
+    ExpressionType coordinate(std::uint32_t index, const Operand& operand) {
         const char name = coordinate_names.at(index);
-        if (!is_point(operand.kind))
+        if (!is_point(operand.type))
             fail(fmt::format("`.{}` of {}", name, shown(operand)), "only points have coordinates");
-        else if (index >= operand.kind.extent)
+        else if (index >= operand.type.extent)
             fail(fmt::format("`.{}` of {}", name, shown(operand)), "");
         return number;
     }
 
     void compare(const Operand& a, const Operand& b) {
-        if (a.kind == number && b.kind == number) return;
+        if (a.type == number && b.type == number) return;
         fail(fmt::format("{} and {} cannot be compared", shown(a), shown(b)),
-             is_point(a.kind) || is_point(b.kind) ? "compare coordinates: `u.x = v.x and u.y = v.y`"
+             is_point(a.type) || is_point(b.type) ? "compare coordinates: `u.x = v.x and u.y = v.y`"
                                                   : "only numbers are compared; combine truths by `and`, `or`, `not`");
     }
 
     void need_truth(const Operand& operand) {
-        if (!operand.kind.truth)
+        if (!operand.type.truth)
             fail(fmt::format("{} where a truth is needed", shown(operand)), "compare it: `s != 0`");
     }
 
     void need_numbers(std::span<const Operand> operands, const std::string& what) {
         for (const Operand& operand : operands)
-            if (operand.kind != number)
+            if (operand.type != number)
                 fail(fmt::format("{} of {}", what, shown(operand)), fmt::format("{} takes numbers", what));
     }
 
@@ -178,10 +179,10 @@ private:
     [[nodiscard]] std::string shown(const Operand& operand) const {
         const Instruction instruction = expression_.code[operand.instruction];
         if (instruction.operation == Operation::Formal)
-            return fmt::format("{} (`{}`)", describe(operand.kind), formals_.names[instruction.operand]);
+            return fmt::format("{} (`{}`)", describe(operand.type), formals_.names[instruction.operand]);
         if (instruction.operation == Operation::Constant)
-            return fmt::format("{} (`{}`)", describe(operand.kind), grammar_.definitions[instruction.operand].name);
-        return describe(operand.kind);
+            return fmt::format("{} (`{}`)", describe(operand.type), grammar_.definitions[instruction.operand].name);
+        return describe(operand.type);
     }
 
     void fail(std::string message, std::string hint) {
@@ -201,27 +202,27 @@ private:
 
 } // namespace
 
-std::string describe(Kind kind) {
-    if (kind.truth) return "a truth";
-    if (kind.extent == 0) return "a number";
-    return fmt::format("a point of {} coordinate{}", kind.extent, kind.extent == 1 ? "" : "s");
+std::string describe(ExpressionType type) {
+    if (type.truth) return "a truth";
+    if (type.extent == 0) return "a number";
+    return fmt::format("a point of {} coordinate{}", type.extent, type.extent == 1 ? "" : "s");
 }
 
-std::optional<Kind> kind_of(const Expression& expression, const Formals& formals, const PointGrammar& grammar,
-                            std::vector<PointProblem>& problems) {
+std::optional<ExpressionType> type_of(const Expression& expression, const Formals& formals, const PointGrammar& grammar,
+                                      std::vector<PointProblem>& problems) {
     KindChecker checker(expression, formals, grammar);
-    std::optional<Kind> kind = checker.run();
-    if (!kind) problems.push_back(checker.problem());
-    return kind;
+    std::optional<ExpressionType> type = checker.run();
+    if (!type) problems.push_back(checker.problem());
+    return type;
 }
 
-bool expect_kind(Kind expected, const std::string& what, const Expression& expression, const Formals& formals,
+bool expect_type(ExpressionType expected, const std::string& what, const Expression& expression, const Formals& formals,
                  const PointGrammar& grammar, std::vector<PointProblem>& problems) {
-    const std::optional<Kind> kind = kind_of(expression, formals, grammar, problems);
-    if (kind && *kind != expected)
+    const std::optional<ExpressionType> type = type_of(expression, formals, grammar, problems);
+    if (type && *type != expected)
         problems.push_back(
-            {expression.place, fmt::format("{} is {}, not {}", what, describe(*kind), describe(expected)), ""});
-    return kind == expected;
+            {expression.place, fmt::format("{} is {}, not {}", what, describe(*type), describe(expected)), ""});
+    return type == expected;
 }
 
 } // namespace internode

@@ -13,14 +13,14 @@
 
 namespace internode {
 
-struct Kind {
+struct ExpressionType {
     bool truth = false;
     Extent extent = 0; ///< of a number or a point
-    friend bool operator==(const Kind&, const Kind&) = default;
+    friend bool operator==(const ExpressionType&, const ExpressionType&) = default;
 };
 
 /// "a number", "a point of 2 coordinates", "a truth".
-[[nodiscard]] std::string describe(Kind kind);
+[[nodiscard]] std::string describe(ExpressionType type);
 
 /// Names and extents of the formals of a rule, a definition or an input; equally many.
 struct Formals {
@@ -28,12 +28,12 @@ struct Formals {
     std::span<const Extent> extents;
 };
 
-/// The kind of an expression; none, and one more problem, when its operands do not fit. Cost: linear.
-[[nodiscard]] std::optional<Kind> kind_of(const Expression& expression, const Formals& formals,
-                                          const PointGrammar& grammar, std::vector<PointProblem>& problems);
+/// The type of an expression; none, and one more problem, when its operands do not fit. Cost: linear.
+[[nodiscard]] std::optional<ExpressionType> type_of(const Expression& expression, const Formals& formals,
+                                                    const PointGrammar& grammar, std::vector<PointProblem>& problems);
 
-/// The same where only one kind will do: a number, or a truth. `what`: "the condition", "the weight".
-bool expect_kind(Kind expected, const std::string& what, const Expression& expression, const Formals& formals,
+/// The same where only one type will do: a number, or a truth. `what`: "the condition", "the weight".
+bool expect_type(ExpressionType expected, const std::string& what, const Expression& expression, const Formals& formals,
                  const PointGrammar& grammar, std::vector<PointProblem>& problems);
 
 } // namespace internode

@@ -92,17 +92,17 @@ private:
             extents.insert(extents.end(), parameters->begin(), parameters->end());
         }
         const Formals formals{rule.formals, extents};
-        if (rule.condition) expect_kind({true, 0}, "the condition", *rule.condition, formals, grammar_, problems_);
-        if (rule.weight) expect_kind({}, "the weight", *rule.weight, formals, grammar_, problems_);
+        if (rule.condition) expect_type({true, 0}, "the condition", *rule.condition, formals, grammar_, problems_);
+        if (rule.weight) expect_type({}, "the weight", *rule.weight, formals, grammar_, problems_);
         add_word(rule.successor, formals, {Origin::Source::Rule, &rule});
     }
 
     void add_module(const ModuleTemplate& one, const Formals& formals, const Origin& origin) {
         std::vector<Extent> extents;
         for (const Expression& argument : one.arguments) {
-            const std::optional<Kind> kind = kind_of(argument, formals, grammar_, problems_);
-            if (kind && kind->truth) problems_.push_back({argument.place, "a parameter cannot be a truth", ""});
-            if (kind && !kind->truth) extents.push_back(kind->extent);
+            const std::optional<ExpressionType> type = type_of(argument, formals, grammar_, problems_);
+            if (type && type->truth) problems_.push_back({argument.place, "a parameter cannot be a truth", ""});
+            if (type && !type->truth) extents.push_back(type->extent);
         }
         if (extents.size() != one.arguments.size()) return;
         if (layout_[to_index(one.letter)])

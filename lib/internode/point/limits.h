@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// What a point system and its words may be at most, beside the limits of its text (grammar/limits.h) and of
+// What a point system and its words may be at most, beside the limits of its text (grammar/lexing/limits.h) and of
 // its polygon (io/limits.h). A refusal names its number.
 
 #pragma once
 
-#include "internode/grammar/limits.h"
+#include "internode/text/limits.h"
 
 #include <array>
 #include <cstddef>

@@ -9,7 +9,7 @@
 
 #pragma once
 
-#include "internode/grammar/point_grammar.h"
+#include "internode/grammar/points/point_grammar.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,9 +2,9 @@
 
 #include "internode/point/module_word.h"
 
-#include "internode/io/number.h"
 #include "internode/point/layouts.h"
 #include "internode/point/module_writer.h"
+#include "internode/text/number.h"
 
 #include <algorithm>
 #include <stdexcept>

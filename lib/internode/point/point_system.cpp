@@ -2,13 +2,13 @@
 
 #include "internode/point/point_system.h"
 
-#include "internode/io/limits.h"
 #include "internode/point/constants.h"
 #include "internode/point/kinds.h"
 #include "internode/point/layouts.h"
 #include "internode/point/limits.h"
 #include "internode/point/module_writer.h"
 #include "internode/point/rule_programs.h"
+#include "internode/text/limits.h"
 
 #include <fmt/format.h>
 
@@ -140,7 +140,7 @@ private:
     /// How often the table is applied, saturating above max_cycle_steps.
     std::optional<std::uint64_t> count_of(const CycleItem& item) {
         if (!item.count) return 1;
-        if (!expect_kind({}, "the count", *item.count, {}, system_.grammar_, problems_)) return std::nullopt;
+        if (!expect_type({}, "the count", *item.count, {}, system_.grammar_, problems_)) return std::nullopt;
         const KnownNumber value = evaluate_known(*item.count, {}, system_.grammar_, known_);
         if (!value.exact || value.exact->get_den() != 1 || *value.exact < 0) {
             problems_.push_back({item.count->place,

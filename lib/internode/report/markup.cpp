@@ -2,7 +2,7 @@
 
 #include "internode/report/markup.h"
 
-#include "internode/grammar/diagnostic.h"
+#include "internode/text/diagnostic.h"
 
 namespace internode {
 

@@ -2,7 +2,7 @@
 //
 // Text of a user inside SVG, HTML and DOT: always text, never markup (docs/promises.md, P19).
 //
-// Controls, bidirectional overrides and bytes that are not UTF-8 become visible escapes first (grammar/diagnostic.h);
+// Controls, bidirectional overrides and bytes that are not UTF-8 become visible escapes first (text/diagnostic.h);
 // XML has no way to say them at all. Then whatever the language would read as its own is written as an entity.
 
 #pragma once

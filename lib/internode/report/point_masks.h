@@ -6,8 +6,8 @@
 #pragma once
 
 #include "internode/algebra/rational_matrix.h"
-#include "internode/point/compile.h"
-#include "internode/point/uniform_mask.h"
+#include "internode/mask/uniform_mask.h"
+#include "internode/point/compile/compile.h"
 #include "internode/report/generator.h"
 
 #include <optional>

@@ -4,8 +4,8 @@
 
 #pragma once
 
-#include "internode/curve/pyramid.h"
-#include "internode/curve/resampling.h"
+#include "internode/curve/reverse/pyramid.h"
+#include "internode/curve/reverse/resampling.h"
 #include "internode/report/generator.h"
 
 #include <string>

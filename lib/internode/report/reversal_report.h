@@ -5,9 +5,9 @@
 
 #pragma once
 
-#include "internode/curve/resampling.h"
-#include "internode/grammar/point_grammar.h"
-#include "internode/point/reversal.h"
+#include "internode/curve/reverse/resampling.h"
+#include "internode/grammar/points/point_grammar.h"
+#include "internode/point/infer/reversal.h"
 #include "internode/report/generator.h"
 
 #include <cstdint>

@@ -16,6 +16,7 @@
 
 #include "internode/interval/interval_system.h"
 #include "internode/stencil/cell_automaton.h"
+#include "internode/text/limits.h"
 
 #include <cstdint>
 #include <span>
@@ -35,9 +36,9 @@ struct CellState {
 inline constexpr std::size_t max_states = 1'000'000;
 
 /// More states than allowed.
-class TooManyStates : public std::length_error {
+class TooManyStates : public LimitExceeded {
 public:
-    using std::length_error::length_error;
+    using LimitExceeded::LimitExceeded;
 };
 
 /// Whether an automaton has its weights, which are nearly all of its cost, or states and children alone.

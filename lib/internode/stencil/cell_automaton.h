@@ -8,7 +8,8 @@
 //     state -> sequence of (child state, row of `width` weights over the parents at cell + offset … + width - 1)
 //
 // A cell may have no children. What a state stands for is known to whoever made the automaton: a window of intervals
-// (stencil/automaton.h), or the modules round a point (point/compile.h). Kernels, plans and exports need no more.
+// (stencil/automaton.h), or the modules round a point (point/compile/compile.h). Kernels, plans and exports need no
+// more.
 
 #pragma once
 

@@ -2,7 +2,7 @@
 
 #include "internode/surface/reverse.h"
 
-#include "internode/curve/hierarchy.h"
+#include "internode/curve/reverse/hierarchy.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -2,14 +2,14 @@
 //
 // Grids backwards: a coarse grid and details, exactly as many numbers as the fine grid has.
 //
-// In one direction a polygon becomes its coarse polygon and one detail per inserted knot (curve/pyramid.h): a linear
-// map W that synthesis inverts. A grid takes W_v on every row, then W_u on the rows. Coefficients stand where the
-// points of the fine grid stood, in rows of N_v: those of the coarse polygon first, then the details of each step from
-// coarse to fine. So the first n_u by n_v are the coarse grid, the rest details along v, along u, or along both.
+// In one direction a polygon becomes its coarse polygon and one detail per inserted knot (curve/reverse/pyramid.h): a
+// linear map W that synthesis inverts. A grid takes W_v on every row, then W_u on the rows. Coefficients stand where
+// the points of the fine grid stood, in rows of N_v: those of the coarse polygon first, then the details of each step
+// from coarse to fine. So the first n_u by n_v are the coarse grid, the rest details along v, along u, or along both.
 
 #pragma once
 
-#include "internode/curve/reverse_step.h"
+#include "internode/curve/reverse/reverse_step.h"
 #include "internode/surface/grid.h"
 
 #include <span>

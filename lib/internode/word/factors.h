@@ -10,10 +10,10 @@
 
 #pragma once
 
+#include "internode/text/limits.h"
 #include "internode/word/morphism.h"
 
 #include <cstdint>
-#include <stdexcept>
 #include <vector>
 
 namespace internode {
@@ -32,9 +32,9 @@ struct FactorGraph {
 };
 
 /// More words than the caller allows.
-class TooManyWords : public std::length_error {
+class TooManyWords : public LimitExceeded {
 public:
-    using std::length_error::length_error;
+    using LimitExceeded::LimitExceeded;
 };
 
 /// The graph closed under images from `start` (words of equal length m >= 1). \throw TooManyWords beyond `limit`

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/io/json/curve_json.h"
+
+#include "internode/io/json/json_writer.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace internode {
+
+namespace {
+
+constexpr JsonWriter::Layout line = JsonWriter::Layout::Line;
+
+void write_head(JsonWriter& json, const CurveDocument& curve) {
+    json.key("format").string("internode-curve").key("version").integer(1);
+    json.key("generator").begin_object(line);
+    json.key("version").string(curve.version).key("command").string(curve.command).end_object();
+    json.key("degree").integer(curve.degree).key("closed").boolean(curve.ends == Ends::Circular);
+}
+
+void write_word(JsonWriter& json, const CurveDocument& curve) {
+    if (curve.word.empty()) return;
+    json.key("word").begin_array(line);
+    for (const Symbol symbol : curve.word) {
+        if (!json.good()) break;
+        json.string(symbol == zero_interval ? "0" : curve.symbols.at(to_index(symbol)));
+    }
+    json.end_array();
+}
+
+void write_lengths(JsonWriter& json, const CurveDocument& curve) {
+    const bool any =
+        std::ranges::any_of(curve.lengths, [](const CurveLength& length) { return !length.exact.empty(); });
+    if (!any) return;
+    json.key("lengths").begin_object();
+    for (const CurveLength& length : curve.lengths) {
+        if (length.exact.empty()) continue;
+        json.key(length.symbol).begin_object(line).key("value").number(length.value).key("exact").begin_array();
+        for (const std::string& coefficient : length.exact) json.string(coefficient);
+        json.end_array().end_object();
+    }
+    json.end_object();
+}
+
+void write_points(JsonWriter& json, const PointsView& points, std::size_t dimension) {
+    json.key("points").begin_array();
+    for (std::size_t row = 0; row < points.size() && json.good(); ++row) {
+        json.begin_array(line);
+        for (const double coordinate : points[row].first(dimension)) json.number(coordinate);
+        json.end_array();
+    }
+    json.end_array();
+}
+
+void write_weights(JsonWriter& json, const PointsView& points) {
+    json.key("weights").begin_array(line);
+    for (std::size_t row = 0; row < points.size() && json.good(); ++row) json.number(points[row].back());
+    json.end_array();
+}
+
+} // namespace
+
+bool write_curve_json(Sink& sink, const CurveDocument& curve) {
+    require_whole_rows(curve.points);
+    if (curve.weighted && curve.points.dimension < 2) throw std::invalid_argument("a weight and no coordinate");
+    JsonWriter json(sink);
+    json.begin_object();
+    write_head(json, curve);
+    write_word(json, curve);
+    write_lengths(json, curve);
+    write_points(json, curve.points, curve.points.dimension - (curve.weighted ? 1 : 0));
+    if (curve.weighted) write_weights(json, curve.points);
+    json.end_object();
+    return json.finish();
+}
+
+} // namespace internode

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/io/json/grid_json.h"
+
+#include "internode/io/json/json_writer.h"
+
+#include <stdexcept>
+
+namespace internode {
+
+namespace {
+
+constexpr JsonWriter::Layout line = JsonWriter::Layout::Line;
+
+void write_head(JsonWriter& json, const GridDocument& grid) {
+    json.key("format").string("internode-grid").key("version").integer(1);
+    json.key("generator").begin_object(line);
+    json.key("version").string(grid.version).key("command").string(grid.command).end_object();
+    json.key("degree").begin_array(line);
+    for (const GridSide& side : grid.sides) json.integer(side.degree);
+    json.end_array().key("closed").begin_array(line);
+    for (const GridSide& side : grid.sides) json.boolean(side.ends == Ends::Circular);
+    json.end_array().key("rational").boolean(grid.rational);
+}
+
+void write_words(JsonWriter& json, const GridDocument& grid) {
+    json.key("word").begin_array();
+    for (const GridSide& side : grid.sides) {
+        json.begin_array(line);
+        for (const Symbol symbol : side.word) {
+            if (!json.good()) break;
+            json.string(symbol == zero_interval ? "0" : side.symbols.at(to_index(symbol)));
+        }
+        json.end_array();
+    }
+    json.end_array();
+}
+
+void write_lengths(JsonWriter& json, const GridDocument& grid) {
+    json.key("lengths").begin_array();
+    for (const GridSide& side : grid.sides) {
+        json.begin_object();
+        for (const CurveLength& length : side.lengths) {
+            if (length.exact.empty()) continue;
+            json.key(length.symbol).begin_object(line).key("value").number(length.value).key("exact").begin_array();
+            for (const std::string& coefficient : length.exact) json.string(coefficient);
+            json.end_array().end_object();
+        }
+        json.end_object();
+    }
+    json.end_array();
+}
+
+/// Row after row, a line for each.
+void write_points(JsonWriter& json, const GridDocument& grid) {
+    json.key("points").begin_array();
+    for (std::size_t point = 0; point < grid.points.size() && json.good(); ++point) {
+        if (point % grid.columns == 0) json.begin_array();
+        json.begin_array(line);
+        for (const double coordinate : grid.points[point]) json.number(coordinate);
+        json.end_array();
+        if (point % grid.columns + 1 == grid.columns) json.end_array();
+    }
+    json.end_array();
+}
+
+} // namespace
+
+bool write_grid_json(Sink& sink, const GridDocument& grid) {
+    require_whole_rows(grid.points);
+    if (grid.columns == 0 || grid.points.size() % grid.columns != 0)
+        throw std::invalid_argument("write_grid_json: the points are not whole rows of the grid");
+    JsonWriter json(sink);
+    json.begin_object();
+    write_head(json, grid);
+    write_words(json, grid);
+    write_lengths(json, grid);
+    write_points(json, grid);
+    json.end_object();
+    return json.finish();
+}
+
+} // namespace internode

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/io/obj/obj.h"
+
+#include "internode/io/file/comment_text.h"
+#include "internode/io/file/text_buffer.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace internode {
+
+namespace {
+
+constexpr std::size_t indices_a_line = 256;
+
+bool write_vertices(TextBuffer& text, const PointsView& points) {
+    for (std::size_t row = 0; row < points.size(); ++row) {
+        text << 'v';
+        for (const double coordinate : points[row]) text << ' ' << coordinate;
+        for (std::size_t i = points.dimension; i < max_obj_dimension; ++i) text << " 0";
+        if (!text.end_line()) return false;
+    }
+    return true;
+}
+
+/// The indices of a polyline, its first again when closed, in chained lines; `at(i)` is index number i, from 0.
+template<typename Index>
+bool write_polyline(TextBuffer& text, std::size_t size, bool closed, const Index& at) {
+    if (size == 1) {
+        text << "p " << at(0) + 1;
+        return text.end_line();
+    }
+    const std::size_t count = size + (closed ? 1 : 0);
+    for (std::size_t begin = 0; begin + 1 < count; begin += indices_a_line - 1) {
+        text << 'l';
+        for (std::size_t i = begin; i < std::min(begin + indices_a_line, count); ++i) text << ' ' << at(i % size) + 1;
+        if (!text.end_line()) return false;
+    }
+    return true;
+}
+
+bool write_points(TextBuffer& text, const PointsView& points, std::span<const std::string> comments) {
+    require_whole_rows(points);
+    if (points.dimension > max_obj_dimension) throw std::invalid_argument("OBJ has at most 3 dimensions");
+    for (const std::string& comment : comments) {
+        text << "# " << comment_text(comment);
+        text.end_line();
+    }
+    return write_vertices(text, points);
+}
+
+} // namespace
+
+bool write_obj(Sink& sink, const PointsView& points, Ends ends, std::span<const std::string> comments) {
+    TextBuffer text(sink);
+    if (!write_points(text, points, comments)) return false;
+    const auto row = [](std::size_t i) { return i; };
+    return write_polyline(text, points.size(), ends == Ends::Circular, row) && text.flush();
+}
+
+bool write_obj(Sink& sink, const PointsView& points, std::span<const ObjPolyline> polylines,
+               std::span<const std::string> comments) {
+    for (const ObjPolyline& polyline : polylines)
+        for (const std::size_t index : polyline.points)
+            if (index >= points.size()) throw std::out_of_range("OBJ: no such point");
+    TextBuffer text(sink);
+    if (!write_points(text, points, comments)) return false;
+    for (const ObjPolyline& polyline : polylines) {
+        const auto row = [&polyline](std::size_t i) { return polyline.points[i]; };
+        if (!write_polyline(text, polyline.points.size(), polyline.closed, row)) return false;
+    }
+    return text.flush();
+}
+
+} // namespace internode

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/point/compile/cell_piece.h"
+
+#include <algorithm>
+
+namespace internode {
+namespace {
+
+/// A word of a piece, on its way through the steps of a cycle.
+struct Moving {
+    ExactWord word;
+    std::vector<std::size_t> starts;
+    PieceSides sides;
+    OwnModules own;
+};
+
+bool starts_at(const std::vector<std::size_t>& starts, std::size_t i) {
+    return std::ranges::find(starts, i) != starts.end();
+}
+
+CellRow row_of(const PointSum& sum) {
+    CellRow row;
+    if (sum.terms.empty()) return row;
+    row.first = sum.terms.front().first;
+    row.weights.resize(static_cast<std::size_t>(sum.terms.back().first - row.first) + 1);
+    for (const auto& term : sum.terms) row.weights[static_cast<std::size_t>(term.first - row.first)] = term.second;
+    return row;
+}
+
+/// The word of a piece, its points numbered from the cell.
+Moving moving(const CellPiece& piece, const KindTable& kinds, OwnModules own) {
+    std::ptrdiff_t next = -static_cast<std::ptrdiff_t>(piece.slot);
+    for (std::size_t i = 0; i < piece.center; ++i)
+        next -= static_cast<std::ptrdiff_t>(kinds.point_count(piece.kinds[i]));
+    Moving moving{{}, {piece.starts.begin(), piece.starts.end()}, {piece.left_open, piece.right_open}, own};
+    for (const std::uint32_t kind : piece.kinds) moving.word.push_back(kinds.module(kind, next));
+    return moving;
+}
+
+/// Where the successors of module i begin, when those of the settled modules first, first + 1, … stand in the word.
+std::size_t place_after(const ExactWord& word, std::size_t i) {
+    const auto place = std::ranges::find_if(word, [i](const ExactModule& module) { return module.parent >= i; });
+    return static_cast<std::size_t>(place - word.begin());
+}
+
+/// One step. False: not settled, or a stop.
+bool advance(Moving& moving, const PointSystem& system, std::optional<std::uint32_t> table, ExactBudget& budget,
+             std::optional<ExactStop>& stop) {
+    PieceStep step =
+        exact_piece_step(system, moving.word, moving.sides, moving.own.first, moving.own.last, table, budget);
+    stop = std::move(step.stop);
+    if (!step.word) return false;
+    std::vector<std::size_t> starts;
+    for (const std::size_t start : moving.starts)
+        if (start >= step.first && start <= step.last) starts.push_back(place_after(*step.word, start));
+    moving.own = {place_after(*step.word, moving.own.first), place_after(*step.word, moving.own.last)};
+    moving.starts = std::move(starts);
+    moving.sides = step.sides;
+    moving.word = *std::move(step.word);
+    return true;
+}
+
+/// Whether a new point of the cell depends on more consecutive ones than a kernel takes.
+bool is_too_wide(const Moving& moving) {
+    for (std::size_t m = moving.own.first; m < moving.own.last; ++m)
+        for (const ExactValue& value : moving.word[m].values) {
+            const PointSum* const sum = std::get_if<PointSum>(&value);
+            if (sum == nullptr || sum->terms.empty()) continue;
+            const std::ptrdiff_t width = sum->terms.back().first - sum->terms.front().first + 1;
+            if (width > static_cast<std::ptrdiff_t>(max_row_width)) return true;
+        }
+    return false;
+}
+
+/// Cuts the pieces of the children out of what a piece has become.
+class Cutter {
+public:
+    Cutter(const Moving& moving, KindTable& kinds, std::size_t side)
+        : moving_(moving)
+        , kinds_(kinds)
+        , side_(side) {}
+
+    /// The children, or nothing when the word is too short for one of them.
+    std::optional<std::vector<PieceChild>> children() {
+        std::vector<PieceChild> children;
+        for (std::size_t m = moving_.own.first; m < moving_.own.last; ++m)
+            for (std::size_t slot = 0; slot < points_in(moving_.word[m]); ++slot) {
+                std::optional<PieceChild> child = cut(m, slot);
+                if (!child) return std::nullopt;
+                children.push_back(*std::move(child));
+            }
+        return children;
+    }
+
+private:
+    /// Whether the modules before m, up to where a word starts, have no points; none when that cannot be seen.
+    [[nodiscard]] std::optional<std::size_t> start_before(std::size_t m) const {
+        while (!starts_at(moving_.starts, m)) {
+            if (m == 0) return std::nullopt;
+            --m;
+            if (points_in(moving_.word[m]) > 0) return none;
+        }
+        return m;
+    }
+
+    std::optional<PieceChild> cut(std::size_t m, std::size_t slot) {
+        const std::size_t size = moving_.word.size();
+        const std::size_t begin = m > side_ ? m - side_ : 0;
+        const std::size_t end = std::min(size, m + side_ + 1);
+        if ((m < side_ && moving_.sides.left_open) || (m + side_ >= size && moving_.sides.right_open))
+            return std::nullopt;
+        const std::optional<std::size_t> start = start_before(m);
+        if (!start || (*start != none && *start < begin)) return std::nullopt;
+        PieceChild child;
+        child.piece.left_open = moving_.sides.left_open || begin > 0;
+        child.piece.right_open = moving_.sides.right_open || end < size;
+        child.piece.center = static_cast<std::uint32_t>(m - begin);
+        child.piece.slot = static_cast<std::uint32_t>(slot);
+        for (const std::size_t at : moving_.starts)
+            if (at >= begin && at <= end) child.piece.starts.push_back(static_cast<std::uint32_t>(at - begin));
+        child.first = -static_cast<std::ptrdiff_t>(slot);
+        for (std::size_t i = begin; i < end; ++i) {
+            child.piece.kinds.push_back(kinds_.of(moving_.word[i]));
+            if (i < m) child.first -= static_cast<std::ptrdiff_t>(points_in(moving_.word[i]));
+            for (const ExactValue& value : moving_.word[i].values)
+                if (const PointSum* sum = std::get_if<PointSum>(&value)) child.rows.push_back(row_of(*sum));
+        }
+        return child;
+    }
+
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+    const Moving& moving_;
+    KindTable& kinds_;
+    std::size_t side_;
+};
+
+} // namespace
+
+std::size_t points_in(const ExactModule& module) {
+    const auto is_point = [](const ExactValue& value) { return std::holds_alternative<PointSum>(value); };
+    return static_cast<std::size_t>(std::ranges::count_if(module.values, is_point));
+}
+
+ExactStop too_wide() {
+    return {{}, "needs more than " + std::to_string(max_row_width) + " neighbouring points for a new one"};
+}
+
+KindTable::KindTable(const PointSystem& system) {
+    for (const auto& parameters : system.layout()) {
+        std::vector<bool>& is_point = is_point_.emplace_back();
+        if (!parameters) continue;
+        for (const Extent extent : *parameters) is_point.push_back(extent > 0);
+    }
+}
+
+std::uint32_t KindTable::of(const ExactModule& module) {
+    ModuleKind kind{module.letter, {}};
+    for (const ExactValue& value : module.values)
+        if (const Rational* number = std::get_if<Rational>(&value)) kind.numbers.push_back(*number);
+    const auto [place, is_new] =
+        numbers_.try_emplace({kind.letter, kind.numbers}, static_cast<std::uint32_t>(kinds_.size()));
+    if (is_new) {
+        counts_.push_back(module.values.size() - kind.numbers.size());
+        kinds_.push_back(std::move(kind));
+    }
+    return place->second;
+}
+
+ExactModule KindTable::module(std::uint32_t kind, std::ptrdiff_t& next) const {
+    ExactModule module{kinds_[kind].letter, {}, 0};
+    auto number = kinds_[kind].numbers.begin();
+    for (const bool is_point : points_of(module.letter)) {
+        if (is_point)
+            module.values.emplace_back(PointSum{{{next++, Rational(1)}}});
+        else
+            module.values.emplace_back(*number++);
+    }
+    return module;
+}
+
+std::optional<OwnModules> own_modules(const CellPiece& piece, const KindTable& kinds) {
+    const auto starts = [&](std::size_t i) {
+        return std::ranges::find(piece.starts, static_cast<std::uint32_t>(i)) != piece.starts.end();
+    };
+    const auto has_points = [&](std::size_t i) { return kinds.point_count(piece.kinds[i]) > 0; };
+    OwnModules own{piece.center, piece.center + std::size_t{1}};
+    while (own.last < piece.kinds.size() && !has_points(own.last) && !starts(own.last)) ++own.last;
+    if (own.last == piece.kinds.size() && piece.right_open && !starts(own.last)) return std::nullopt;
+    std::size_t first = piece.center;
+    while (!starts(first)) {
+        if (first == 0) return piece.left_open ? std::nullopt : std::optional(own);
+        if (has_points(--first)) return own;
+    }
+    own.first = first;
+    return own;
+}
+
+PieceChildren children_of(const CellPiece& piece, const PointSystem& system, KindTable& kinds, std::size_t side,
+                          ExactBudget& budget) {
+    if (piece.slot > 0) return {std::vector<PieceChild>(), std::nullopt};
+    const std::optional<OwnModules> own = own_modules(piece, kinds);
+    if (!own) return {};
+    Moving word = moving(piece, kinds, *own);
+    for (const std::optional<std::uint32_t> table : system.cycle()) {
+        std::optional<ExactStop> stop;
+        if (!advance(word, system, table, budget, stop)) return {std::nullopt, std::move(stop)};
+        if (word.own.first == word.own.last) return {std::vector<PieceChild>(), std::nullopt};
+    }
+    if (is_too_wide(word)) return {std::nullopt, too_wide()};
+    return {Cutter(word, kinds, side).children(), std::nullopt};
+}
+
+CellPiece piece_of_word(const ExactWord& word, bool ring, std::size_t module, std::uint32_t slot, std::size_t side,
+                        KindTable& kinds) {
+    const std::size_t n = word.size();
+    const std::size_t before = ring ? side : std::min(side, module);
+    const std::size_t after = ring ? side : std::min(side, n - 1 - module);
+    CellPiece piece;
+    piece.center = static_cast<std::uint32_t>(before);
+    piece.slot = slot;
+    piece.left_open = ring || module > side;
+    piece.right_open = ring || module + side + 1 < n;
+    for (std::size_t i = 0; i <= before + after; ++i) {
+        // module + side n is the same place of a ring, and nothing before it is negative.
+        const std::size_t at = (module + side * n + i - before) % n;
+        if (at == 0) piece.starts.push_back(static_cast<std::uint32_t>(i));
+        piece.kinds.push_back(kinds.of(word[at]));
+    }
+    if (ring && (module + after + 1) % n == 0) piece.starts.push_back(static_cast<std::uint32_t>(piece.kinds.size()));
+    return piece;
+}
+
+} // namespace internode

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/report/json/points_json.h"
+
+#include "internode/io/json/json_writer.h"
+#include "internode/report/json/json_parts.h"
+
+#include <span>
+#include <stdexcept>
+
+namespace internode {
+
+namespace {
+
+constexpr auto line = JsonWriter::Layout::Line;
+
+void write_row(JsonWriter& json, std::span<const double> row) {
+    json.begin_array(line);
+    for (const double coordinate : row) json.number(coordinate);
+    json.end_array();
+}
+
+void write_system(JsonWriter& json, const PointSystem& system, const std::string& name) {
+    const PointGrammar& grammar = system.grammar();
+    json.key("grammar").begin_object().key("name").string(name).key("constants").begin_object();
+    for (std::uint32_t i = 0; i < grammar.definitions.size(); ++i) {
+        if (!grammar.definitions[i].formals.empty()) continue;
+        const ConstantValue& constant = system.constant(i);
+        json.key(grammar.definitions[i].name).begin_object(line).key("value").number(constant.value);
+        json.key("exact");
+        if (constant.exact)
+            json.string(to_string(*constant.exact));
+        else
+            json.null();
+        json.end_object();
+    }
+    json.end_object().end_object();
+}
+
+void write_points(JsonWriter& json, const PointStrands& strands, bool weighted) {
+    const std::size_t width = strands.dimension;
+    if (weighted) {
+        json.key("weights").begin_array(line);
+        for (std::size_t i = 0; i < strands.size(); ++i) json.number(strands.points[i * width + width - 1]);
+        json.end_array();
+    }
+    json.key("points").begin_array();
+    for (std::size_t i = 0; i < strands.size() && json.good(); ++i)
+        write_row(json, std::span(strands.points).subspan(i * width, weighted ? width - 1 : width));
+    json.end_array();
+}
+
+void write_strands(JsonWriter& json, const PointStrands& strands) {
+    json.key("strands").begin_array();
+    for (const PointStrands::Strand& strand : strands.strands) {
+        json.begin_object().key("closed").boolean(strand.closed).key("points").begin_array(line);
+        for (const std::size_t index : strand.points) json.integer(index);
+        json.end_array().end_object();
+    }
+    json.end_array().key("lines").begin_array();
+    const std::size_t width = strands.dimension;
+    for (std::size_t at = 0; at + 2 * width <= strands.lines.size() && width > 0 && json.good(); at += 2 * width) {
+        json.begin_array(line);
+        write_row(json, std::span(strands.lines).subspan(at, width));
+        write_row(json, std::span(strands.lines).subspan(at + width, width));
+        json.end_array();
+    }
+    json.end_array();
+}
+
+} // namespace
+
+bool write_points_json(Sink& sink, const PointStrands& strands, const PointSystem& system,
+                       const PointsDocument& document) {
+    if (document.weighted && strands.dimension < 2) throw std::invalid_argument("points: a weight without a point");
+    JsonWriter json(sink);
+    json.begin_object();
+    write_heading(json, "internode-points", document.generator);
+    write_system(json, system, document.name);
+    json.key("cycles").integer(document.cycles).key("closed").boolean(system.grammar().ring);
+    write_points(json, strands, document.weighted);
+    write_strands(json, strands);
+    return json.end_object().finish();
+}
+
+} // namespace internode

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+//
+// What a point grammar made of a polygon, as JSON of format "internode-points" (docs/json.md): the points of the last
+// word, how they are joined, and the lines that the word has of its own.
+
+#pragma once
+
+#include "internode/io/file/sink.h"
+#include "internode/point/module_word.h"
+#include "internode/report/generator.h"
+
+#include <cstdint>
+#include <string>
+
+namespace internode {
+
+struct PointsDocument {
+    std::string name;         ///< of the grammar
+    std::uint64_t cycles = 0; ///< from the axiom or the polygon to the points
+    bool weighted = false;    ///< the last coordinate of each point goes into "weights" instead
+    Generator generator;
+};
+
+/// Writes the document; false if the sink failed. \throw std::invalid_argument for numbers that are not finite, and for
+/// weights without another coordinate
+bool write_points_json(Sink& sink, const PointStrands& strands, const PointSystem& system,
+                       const PointsDocument& document);
+
+} // namespace internode

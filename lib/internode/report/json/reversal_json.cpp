@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/io/json/json_writer.h"
+#include "internode/report/json/json_parts.h"
+#include "internode/report/reversal_report.h"
+
+namespace internode {
+
+namespace {
+
+constexpr JsonWriter::Layout line = JsonWriter::Layout::Line;
+
+void write_fitting(JsonWriter& json, const Fitting& fitting) {
+    json.key("fitting").begin_object(line).key("measured").integer(fitting.measured);
+    json.key("points").integer(fitting.points).key("change");
+    json.string(fitting.fit == Fit::AsMeasured ? "none" : fitting.fit == Fit::Cut ? "cut" : "resampled").end_object();
+}
+
+void write_rule(JsonWriter& json, const std::optional<ReverseRule>& rule) {
+    json.key("rule");
+    if (!rule) {
+        json.null();
+        return;
+    }
+    json.begin_object().key("production").string(production_text(*rule)).key("arity").integer(rule->arity);
+    json.key("first").number(static_cast<double>(rule->first)).key("weights").begin_array(line);
+    for (const Rational& weight : rule->weights) json.string(to_string(weight));
+    json.end_array().key("gain").string(to_string(gain(*rule))).end_object();
+}
+
+void write_levels(JsonWriter& json, const ReversalReport& report) {
+    json.key("levels").begin_array();
+    for (std::size_t down = 1; down < report.polygons.size(); ++down) {
+        json.begin_object(line).key("points").integer(report.polygons[down].size() / report.dimension);
+        if (report.rule) {
+            json.key("largest_error").number(report.levels[down - 1].largest_error);
+            json.key("rms_error").number(report.levels[down - 1].rms_error);
+        } else {
+            json.key("largest_error").null().key("rms_error").null();
+        }
+        json.end_object();
+    }
+    json.end_array();
+}
+
+void write_points(JsonWriter& json, const ReversalReport& report) {
+    const std::vector<double>& points = report.polygons.back();
+    json.key("points").begin_array();
+    for (std::size_t row = 0; row < points.size() && json.good(); row += report.dimension) {
+        json.begin_array(line);
+        for (std::size_t i = row; i < row + report.dimension; ++i) json.number(points[i]);
+        json.end_array();
+    }
+    json.end_array();
+}
+
+} // namespace
+
+std::string reversal_json(const ReversalReport& report) {
+    StringSink sink;
+    JsonWriter json(sink);
+    json.begin_object();
+    write_heading(json, "internode-reversal", report.generator);
+    json.key("grammar").begin_object(line).key("name").string(report.name).end_object();
+    write_fitting(json, report.fitting);
+    json.key("phase").integer(report.phase);
+    write_rule(json, report.rule);
+    write_levels(json, report);
+    write_points(json, report);
+    json.end_object().finish();
+    return sink.text();
+}
+
+} // namespace internode

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// The picture of a refined curve: every knot interval a piece of the limit curve, coloured and dashed by its symbol
+// (Nivoliers et al. 2012, Fig. 2), over the thin grey control polygon; knots, legend, title.
+//
+// Up to degree 3 a piece is one exact `L`, `Q` or `C` of SVG, in the layer <g id="limit">; above, and with weights, a
+// polyline through points of the curve. All pieces of a symbol are one path, so 20,000 of them stay a small file.
+
+#pragma once
+
+#include "internode/report/generator.h"
+#include "internode/report/picture/planar_curve.h"
+#include "internode/report/picture/svg.h"
+
+#include <string>
+
+namespace internode {
+
+struct CurvePictureOptions {
+    std::string title; ///< drawn in a file; a page has its own headings
+    Generator generator;
+    SvgPlace place = SvgPlace::File;
+};
+
+/// An SVG text, 960 pixels wide. \throw std::invalid_argument for a curve without segments
+[[nodiscard]] std::string curve_picture(const PlanarCurve& curve, const CurvePictureOptions& options);
+
+} // namespace internode

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+//
+// Pyramids as files: what pyramid_json writes is read back bit for bit, and damage is met with a place or a sentence.
+
+#include "internode/io/json/pyramid_json.h"
+
+#include "internode/curve/refinement.h"
+#include "internode/report/pyramid_report.h"
+#include "tests/reference/random_curve.h"
+#include "tests/reference/systems.h"
+
+#include <fstream>
+#include <gmock/gmock.h>
+#include <sstream>
+
+namespace internode {
+namespace {
+
+using reference::Random;
+using reference::random_curve;
+using reference::Shape;
+using reference::system_of;
+using ::testing::HasSubstr;
+
+#ifdef INTERNODE_SANITIZED
+constexpr std::size_t stride = 37;
+#else
+constexpr std::size_t stride = 1;
+#endif
+
+std::string leaf() {
+    std::ifstream file(INTERNODE_SOURCE_DIR "/data/pyramids/leaf.json");
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+std::string changed(std::string text, const std::string& from, const std::string& to) {
+    const auto at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+/// What is said about a text that is no pyramid.
+std::string refusal(const std::string& text) {
+    const ParsedPyramid parsed = read_pyramid(text, "p.json");
+    EXPECT_EQ(parsed.pyramid.has_value(), parsed.errors.empty());
+    if (!parsed.pyramid) return to_string(parsed.errors);
+    const CheckedPyramid checked = checked_pyramid(*parsed.pyramid);
+    EXPECT_EQ(checked.pyramid.has_value(), checked.problems.empty());
+    return checked.pyramid ? "none" : checked.problems.front();
+}
+
+TEST(PyramidJson, IsReadBackBitForBit) {
+    Random random(1);
+    for (const char* const rules : {"L->SL, S->L", "A->AA, B->BB", "A->DD, B->A, C->B, D->C"})
+        for (const Shape shape : {Shape::Closed, Shape::Clamped, Shape::ClampedWithZeros})
+            for (const ReverseMethod method : {ReverseMethod::LeastSquares, ReverseMethod::Local}) {
+                const Curve coarse = random_curve(random, system_of(rules), 3, shape, 6, 3);
+                std::vector<double> fine(refined_size(coarse, 3, 100'000).points * 3);
+                for (double& number : fine) number = random.coordinate();
+                Analysis analysis = analyse(coarse.knots(), 3, 3, fine, {method, 4});
+                Pyramid kept = with_longest(analysis.pyramid, 7);
+                const std::vector<std::vector<double>> polygons = synthesise(kept);
+                const PyramidReport report = pyramid_report(std::move(analysis), std::move(kept), {}, "x.csv");
+                const ParsedPyramid parsed = read_pyramid(pyramid_json(report, {"0", "internode"}), "p.json");
+                ASSERT_TRUE(parsed.pyramid) << to_string(parsed.errors);
+                const CheckedPyramid checked = checked_pyramid(*parsed.pyramid);
+                ASSERT_TRUE(checked.pyramid) << checked.problems.front();
+                EXPECT_EQ(synthesise(*checked.pyramid), polygons);
+            }
+}
+
+TEST(PyramidJson, KeepsTheAxiomAndTheLengthsOfItsGrammar) {
+    const IntervalSystem system = system_of("A->AA, B->BB, length B = 3/7, axiom (A A B)");
+    const Knots knots = *make_knots(system, {2, Ends::Circular, reference::word_of(system, "AAB")}).knots;
+    const std::vector<double> fine{0, 1, 5, 2, 7, 3};
+    Analysis analysis = analyse(knots, 1, 1, fine);
+    Pyramid kept = analysis.pyramid;
+    const PyramidReport report = pyramid_report(std::move(analysis), std::move(kept), {}, "x.csv");
+    const ParsedPyramid parsed = read_pyramid(pyramid_json(report, {"0", "internode"}), "p.json");
+    const CheckedPyramid checked = checked_pyramid(*parsed.pyramid);
+    ASSERT_TRUE(checked.pyramid);
+    const IntervalSystem& again = checked.pyramid->coarse.system();
+    EXPECT_EQ(again.lengths()[1] / again.lengths()[0], system.lengths()[1] / system.lengths()[0]);
+    EXPECT_EQ(again.grammar().axiom, system.grammar().axiom);
+}
+
+TEST(PyramidJson, RefusesWhatIsNoPyramidWithItsPlace) {
+    const std::string text = leaf();
+    ASSERT_EQ(refusal(text), "none");
+    EXPECT_THAT(refusal("[]"), HasSubstr("p.json:1:1"));
+    EXPECT_THAT(refusal(changed(text, "internode-pyramid", "internode-curve")), HasSubstr("p.json:2:13"));
+    EXPECT_THAT(refusal(changed(text, "\"version\": 1", "\"version\": 2")), HasSubstr("`version` must be 1"));
+    EXPECT_THAT(refusal(changed(text, "\"degree\": 3", "\"degree\": 13")), HasSubstr("0 to 12"));
+    EXPECT_THAT(refusal(changed(text, "least-squares", "magic")), HasSubstr("`method`"));
+    EXPECT_THAT(refusal(changed(text, "\"levels\"", "\"layers\"")), HasSubstr("`levels` is missing"));
+    EXPECT_THAT(refusal(changed(text, "\"at\": [", "\"at\": [-1, ")), HasSubstr("a point of `at`"));
+    EXPECT_THAT(refusal(changed(text, "\"details\": [", "\"details\": [[1], ")), HasSubstr("1 coordinates"));
+    EXPECT_THAT(refusal(changed(text, "\"closed\": true", "\"closed\": 1")), HasSubstr("true or false"));
+}
+
+TEST(PyramidJson, RefusesWhatDoesNotFitTogether) {
+    const std::string text = leaf();
+    EXPECT_THAT(refusal(changed(text, "\"degree\": 3", "\"degree\": 0")), HasSubstr("between 1 and 12"));
+    EXPECT_THAT(refusal(changed(text, "\"L\": [\"S\", \"L\"]", "\"L\": [\"S\", \"X\"]")), HasSubstr("`X`"));
+    EXPECT_THAT(refusal(changed(text, "\"S\": [\"L\"]", "\"S\": [\"S\"]")), HasSubstr("not valid"));
+    EXPECT_THAT(refusal(changed(text, "\"S\": [\"L\"]", "\"S\": []")), HasSubstr("no rule"));
+    EXPECT_THAT(refusal(changed(text, "\"S\": [\"L\"]", "\"S\": [\"0\"]")), HasSubstr("no rule"));
+    EXPECT_THAT(refusal(changed(text, "\"word\": [\"L\"", "\"word\": [\"Q\"")), HasSubstr("`Q`"));
+    EXPECT_THAT(refusal(changed(text, "\"word\": [\"L\"", "\"word\": [\"L\", \"L\"")), HasSubstr("letter"));
+    EXPECT_THAT(refusal(changed(text, "\"word\": [\"L\"", "\"word\": [\"S\"")), HasSubstr("level 1"));
+    EXPECT_THAT(refusal(changed(text, "\"exact\": [\"1\", \"0\"]", "\"exact\": [\"2\", \"0\"]")), HasSubstr("length"));
+}
+
+TEST(PyramidJson, AnswersClearlyForEveryPrefixAndEveryDamagedByte) {
+    const std::string text = leaf();
+    for (std::size_t i = 0; i + 1 < text.size(); i += stride) EXPECT_NE(refusal(text.substr(0, i)), "");
+    for (std::size_t i = 0; i < text.size(); i += 3 * stride)
+        for (const char byte : {'\0', '\xff', '\n', '"'}) {
+            std::string damaged = text;
+            damaged[i] = byte;
+            EXPECT_NE(refusal(damaged), "");
+        }
+}
+
+} // namespace
+} // namespace internode

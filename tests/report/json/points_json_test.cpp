@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/report/json/points_json.h"
+
+#include "internode/grammar/points/parse_points.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+#include <stdexcept>
+
+namespace internode {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+PointSystem system_of(std::string_view text) {
+    return *make_point_system(*parse_point_grammar(text, "test").grammar).system;
+}
+
+std::string json(const PointStrands& strands, const PointSystem& system, const PointsDocument& document) {
+    StringSink sink;
+    EXPECT_TRUE(write_points_json(sink, strands, system, document));
+    return sink.text();
+}
+
+PointStrands corner() {
+    return {.dimension = 2, .points = {0, 0, 1, 2}, .strands = {{.points = {0, 1}, .closed = true}}, .lines = {}};
+}
+
+TEST(PointsJson, TellsConstantsExactlyWhereTheyAre) {
+    const PointSystem system = system_of("points g\nt = 1/4\nh = sqrt(2)\nf(x) = x\nring\nP(v) -> P(v)\n");
+    EXPECT_THAT(json(corner(), system, {.name = "g", .cycles = 3, .generator = {}}),
+                AllOf(HasSubstr("\"t\": {\"value\": 0.25, \"exact\": \"1/4\"}"),
+                      HasSubstr("\"h\": {\"value\": 1.4142135623730951, \"exact\": null}"), Not(HasSubstr("\"f\"")),
+                      HasSubstr("\"cycles\": 3"), HasSubstr("\"closed\": true"), HasSubstr("[1, 2]")));
+}
+
+TEST(PointsJson, SetsWeightsApart) {
+    const PointSystem system = system_of("points g\nring\nP(v) -> P(v)\n");
+    const std::string text = json(corner(), system, {.name = "g", .weighted = true, .generator = {}});
+    EXPECT_THAT(text, HasSubstr("\"weights\": [0, 2]"));
+    EXPECT_THAT(text, AllOf(HasSubstr("[0]"), HasSubstr("[1]")));
+    PointStrands numbers = corner();
+    numbers.dimension = 1;
+    StringSink sink;
+    EXPECT_THROW(write_points_json(sink, numbers, system, {.name = "g", .weighted = true, .generator = {}}),
+                 std::invalid_argument);
+}
+
+TEST(PointsJson, WritesLinesAsPairs) {
+    const PointSystem system = system_of("points g\nring\nP(v) -> P(v)\n");
+    PointStrands strands = corner();
+    strands.lines = {0, 0, 1, 2};
+    EXPECT_THAT(json(strands, system, {.name = "g", .generator = {}}), HasSubstr("[[0, 0], [1, 2]]"));
+}
+
+TEST(PointsJson, RefusesWhatJsonHasNot) {
+    const PointSystem system = system_of("points g\nring\nP(v) -> P(v)\n");
+    PointStrands strands = corner();
+    strands.points[3] = std::numeric_limits<double>::quiet_NaN();
+    StringSink sink;
+    EXPECT_THROW(write_points_json(sink, strands, system, {.name = "g", .generator = {}}), std::invalid_argument);
+}
+
+} // namespace
+} // namespace internode

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+
+#include "internode/report/picture/derivation_tree.h"
+
+#include "internode/grammar/points/parse_points.h"
+
+#include <gmock/gmock.h>
+
+#include <regex>
+#include <stdexcept>
+
+namespace internode {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+PointSystem system_of(std::string_view text) {
+    return *make_point_system(*parse_point_grammar(text, "test").grammar).system;
+}
+
+/// The tree of so many steps from the axiom.
+DerivationTree tree_of(const PointSystem& system, std::size_t steps) {
+    DerivationTree tree{.title = "t", .generator = {"0.1.0", "internode"}};
+    tree.words.push_back(axiom_word(system));
+    tree.row_names.emplace_back("axiom");
+    for (std::size_t step = 0; step < steps; ++step) {
+        const Derivation next = derive_step(system, tree.words.back(), step, {}, tree.steps.emplace_back());
+        tree.words.push_back(next.word);
+        tree.row_names.emplace_back("step");
+    }
+    return tree;
+}
+
+std::size_t occurrences(const std::string& text, const std::string& what) {
+    const std::regex pattern(what);
+    return static_cast<std::size_t>(
+        std::distance(std::sregex_iterator(text.begin(), text.end(), pattern), std::sregex_iterator()));
+}
+
+std::string layer(const std::string& svg, const std::string& id) {
+    const std::size_t start = svg.find("<g id=\"" + id + "\"");
+    return svg.substr(start, svg.find("</g>", start) - start);
+}
+
+/// S1, figure 5a, for three points: five modules, then three, then the one.
+constexpr std::string_view de_casteljau = "points d\naxiom P((0,0)) E P((1,2)) E P((2,0))\n"
+                                          "P(u) < E > P(v) -> P(1/2 u + 1/2 v)\nE < P(v) > E -> E\nP(v) -> .\n";
+
+TEST(DerivationTree, OfDeCasteljauIsThatOfFigureFive) {
+    const PointSystem system = system_of(de_casteljau);
+    const std::string svg = derivation_tree(tree_of(system, 2), system);
+    EXPECT_EQ(occurrences(svg, "<circle cx=\"[0-9.]*\" cy=\"[0-9.]*\" r=\"6.5\""), 3U + 2 + 1);
+    EXPECT_EQ(occurrences(layer(svg, "successors"), "<path"), 3U + 1);
+    EXPECT_EQ(occurrences(layer(svg, "contexts"), "<path"), 4U + 2) << "each new point reads two points";
+    EXPECT_THAT(svg, HasSubstr(">E</text>"));
+}
+
+TEST(DerivationTree, NumbersStandBesideTheirModules) {
+    const PointSystem system = system_of("points n\naxiom A(1.5)\nA(x) -> A(2 x + 1)\n");
+    EXPECT_THAT(derivation_tree(tree_of(system, 1), system), HasSubstr(">A(4)</text>"));
+}
+
+TEST(DerivationTree, StatesHaveColoursOfTheirOwn) {
+    const PointSystem system = system_of("points s\naxiom P((0,0), 2) P((1,0), 0)\nP(v, s) -> P(v, s)\n");
+    const std::string svg = derivation_tree(tree_of(system, 1), system);
+    EXPECT_THAT(svg, HasSubstr(">P(v, 2)</text>"));
+    EXPECT_THAT(svg, HasSubstr(">P(v, 0)</text>"));
+}
+
+TEST(DerivationTree, NamesAreText) {
+    const PointSystem system = system_of(de_casteljau);
+    DerivationTree tree = tree_of(system, 1);
+    tree.title = "<script>";
+    tree.row_names[0] = "<b>";
+    const std::string svg = derivation_tree(tree, system);
+    EXPECT_THAT(svg, Not(HasSubstr("<script>")));
+    EXPECT_THAT(svg, Not(HasSubstr("<b>")));
+}
+
+TEST(DerivationTree, RefusesWhatDoesNotFit) {
+    const PointSystem system = system_of(de_casteljau);
+    DerivationTree tree = tree_of(system, 1);
+    tree.row_names.pop_back();
+    EXPECT_THROW((void)derivation_tree(tree, system), std::invalid_argument);
+    tree = tree_of(system, 0);
+    for (std::size_t i = 0; i <= max_tree_row; ++i) tree.words[0].push_back(tree.words[0].letter(1), {});
+    EXPECT_FALSE(fits_in_tree(tree.words));
+    EXPECT_THROW((void)derivation_tree(tree, system), std::invalid_argument);
+}
+
+} // namespace
+} // namespace internode
