@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 
-#include "cli/command_line.h"
-#include "cli/commands.h"
-#include "cli/output.h"
-#include "cli/signals.h"
+#include "cli/arguments/command_line.h"
+#include "cli/commands/commands.h"
+#include "cli/shell/output.h"
+#include "cli/shell/signals.h"
 #include "internode/text/limits.h"
 
 #include <exception>

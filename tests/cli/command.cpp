@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "tests/cli/command.h"
+#include "tests/fixtures/source_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +34,7 @@ Workspace::Workspace() {
     std::string name = (std::filesystem::temp_directory_path() / "internode-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
     path_ = name;
-    std::filesystem::create_directory_symlink(std::filesystem::path(INTERNODE_SOURCE_DIR) / "data", path_ / "data");
+    std::filesystem::create_directory_symlink(tests::in_source_folder("data"), path_ / "data");
 }
 
 Workspace::~Workspace() {

@@ -6,6 +6,7 @@
 
 #include "internode/grammar/bundled.h"
 #include "internode/text/number.h"
+#include "tests/fixtures/source_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -29,7 +30,7 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> files_of_grammars(const std::string& extension) {
     std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(INTERNODE_SOURCE_DIR "/data/grammars"))
+    for (const auto& entry : fs::recursive_directory_iterator(tests::in_source_folder("data/grammars")))
         if (entry.path().extension() == extension) files.push_back(entry.path());
     std::ranges::sort(files);
     return files;

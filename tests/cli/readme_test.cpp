@@ -4,6 +4,7 @@
 // must be its output, up to a line with nothing but `…` where README leaves the rest out.
 
 #include "tests/cli/command.h"
+#include "tests/fixtures/source_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +21,7 @@ struct Example {
 };
 
 std::vector<Example> examples() {
-    std::ifstream readme(INTERNODE_SOURCE_DIR "/README.md");
+    std::ifstream readme(tests::in_source_folder("README.md"));
     std::vector<Example> result;
     bool inside = false;
     std::string blank;

@@ -9,6 +9,7 @@
 #include "internode/io/file/input_file.h"
 #include "internode/io/obj/free_form_input.h"
 #include "tests/reference/random_curve.h"
+#include "tests/fixtures/source_folder.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -24,7 +25,7 @@ struct BundledCurve {
 
 std::vector<BundledCurve> bundled_curves() {
     std::vector<BundledCurve> curves;
-    for (const auto& entry : std::filesystem::directory_iterator(INTERNODE_SOURCE_DIR "/data/curves")) {
+    for (const auto& entry : std::filesystem::directory_iterator(tests::in_source_folder("data/curves"))) {
         InputText input = read_input(entry.path().string());
         EXPECT_FALSE(input.error) << entry.path();
         curves.push_back({entry.path().filename().string(), std::move(input.text)});

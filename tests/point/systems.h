@@ -6,6 +6,7 @@
 
 #include "internode/grammar/points/parse_points.h"
 #include "internode/point/interpreter.h"
+#include "tests/fixtures/source_folder.h"
 
 #include <fstream>
 #include <iterator>
@@ -30,7 +31,7 @@ inline PointSystem system_of(std::string_view text, const PointSettings& setting
 
 /// The text of a grammar of data/grammars, by its path there: "s0/13".
 inline std::string text_of_data(const std::string& name) {
-    std::ifstream file(std::string(INTERNODE_SOURCE_DIR) + "/data/grammars/" + name + ".lsys");
+    std::ifstream file(tests::in_source_folder("data/grammars/") + name + ".lsys");
     if (!file) throw std::runtime_error("no grammar " + name);
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }

@@ -6,6 +6,7 @@
 
 #include "internode/grammar/points/parse_points.h"
 #include "internode/point/point_system.h"
+#include "tests/fixtures/source_folder.h"
 
 #include <fmt/format.h>
 
@@ -28,7 +29,7 @@ inline PointSystem point_system(const std::string& text, const PointSettings& se
 
 /// Of data/grammars, by its name without `@`. \throw std::runtime_error
 inline PointSystem bundled_system(const std::string& name, const PointSettings& settings = {}) {
-    std::ifstream file(std::string(INTERNODE_SOURCE_DIR) + "/data/grammars/" + name + ".lsys");
+    std::ifstream file(tests::in_source_folder("data/grammars/") + name + ".lsys");
     std::stringstream text;
     text << file.rdbuf();
     return point_system(text.str(), settings);

@@ -9,6 +9,7 @@
 #include "tests/reference/random_curve.h"
 #include "tests/reference/systems.h"
 #include "tests/report/systems.h"
+#include "tests/fixtures/source_folder.h"
 
 #include <gmock/gmock.h>
 
@@ -217,7 +218,7 @@ void expect_the_header_to_agree(const std::string& compiler) {
     }
     (void)here.file("exported.h", list + exports_macro());
     (void)here.file("jobs", jobs());
-    const std::string source = std::string(INTERNODE_SOURCE_DIR) + "/tests/report/exported/run_c.c";
+    const std::string source = tests::in_source_folder("tests/report/exported/run_c.c");
     for (const std::string language : {"-x c -std=c99", "-x c++ -std=c++11"}) {
         SCOPED_TRACE(language);
         const std::string program = here.file("program");
@@ -291,7 +292,7 @@ std::string glsl_output(const Folder& here, bool is_double) {
     }
     (void)here.file("exported.h", list + exports_macro());
     (void)here.file("jobs", jobs());
-    const std::string source = std::string(INTERNODE_SOURCE_DIR) + "/tests/report/exported/run_glsl.cpp";
+    const std::string source = tests::in_source_folder("tests/report/exported/run_glsl.cpp");
     const std::string program = here.file("program");
     expect_success(here, std::string(INTERNODE_CC) + " -O2 -ffp-contract=off -std=c++17 -I" + here.file("") +
                              (is_double ? " -DINTERNODE_DOUBLE " : " ") + source + " -o " + program + " -lstdc++");

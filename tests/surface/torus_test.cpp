@@ -8,6 +8,7 @@
 #include "internode/surface/limit.h"
 #include "internode/surface/refinement.h"
 #include "tests/reference/random_curve.h"
+#include "tests/fixtures/source_folder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,7 @@ constexpr int deep = 10;
 #endif
 
 InputGrid torus_file() {
-    const InputText input = read_input(INTERNODE_SOURCE_DIR "/data/grids/torus.json");
+    const InputText input = read_input(tests::in_source_folder("data/grids/torus.json"));
     return read_grid_json(input.text, "torus.json").grid.value();
 }
 

@@ -5,6 +5,7 @@
 #include "internode/grammar/points/parse_points.h"
 
 #include "internode/grammar/points/print_points.h"
+#include "tests/fixtures/source_folder.h"
 
 #include <gmock/gmock.h>
 
@@ -196,7 +197,7 @@ TEST(ParsePoints, PlacesPointIntoTheText) {
 }
 
 TEST(ParsePoints, TheGrammarsOfTheDocumentationAreRead) {
-    std::ifstream page(INTERNODE_SOURCE_DIR "/docs/language.md");
+    std::ifstream page(tests::in_source_folder("docs/language.md"));
     std::vector<std::string> texts(1);
     for (std::string line; std::getline(page, line);) {
         const bool is_code = line.starts_with("    ");

@@ -8,6 +8,7 @@
 #include "internode/report/pyramid_report.h"
 #include "tests/reference/random_curve.h"
 #include "tests/reference/systems.h"
+#include "tests/fixtures/source_folder.h"
 
 #include <fstream>
 #include <gmock/gmock.h>
@@ -29,7 +30,7 @@ constexpr std::size_t stride = 1;
 #endif
 
 std::string leaf() {
-    std::ifstream file(INTERNODE_SOURCE_DIR "/data/pyramids/leaf.json");
+    std::ifstream file(tests::in_source_folder("data/pyramids/leaf.json"));
     std::ostringstream text;
     text << file.rdbuf();
     return text.str();

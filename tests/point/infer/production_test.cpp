@@ -8,6 +8,7 @@
 #include "internode/point/infer/inference.h"
 #include "internode/point/infer/reverse_rules.h"
 #include "tests/reference/point_rows.h"
+#include "tests/fixtures/source_folder.h"
 
 #include <stdexcept>
 
@@ -81,7 +82,7 @@ TEST(Production, RefusesOffsetsBeyondItsContextsAndMarkersInARing) {
 }
 
 PointGrammar bundled(const std::string& name) {
-    const InputText text = read_input(INTERNODE_SOURCE_DIR "/data/grammars/" + name + ".lsys");
+    const InputText text = read_input(tests::in_source_folder("data/grammars/") + name + ".lsys");
     return parse_point_grammar(text.text, name).grammar.value();
 }
 

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+
+#include "cli/points/point_system.h"
+
+#include "cli/shell/exit_code.h"
+#include "cli/points/points.h"
+#include "internode/grammar/points/parse_points.h"
+#include "internode/text/diagnostic.h"
+
+#include <fmt/format.h>
+
+namespace internode::cli {
+
+Diagnostic diagnostic_of(const LoadedText& text, const SourcePlace& place, const std::string& message,
+                         const std::string& hint) {
+    if (place.bytes > 0) return diagnostic_at(text.text, text.source, place, message, hint);
+    Diagnostic whole;
+    whole.source = text.source;
+    whole.message = message;
+    whole.hint = hint;
+    return whole;
+}
+
+PointSystem checked_system(const LoadedText& text, PointGrammar grammar, const PointSettings& settings) {
+    CheckedPointSystem checked = make_point_system(std::move(grammar), settings);
+    if (checked.system) return *std::move(checked.system);
+    std::vector<Diagnostic> errors;
+    for (const PointProblem& problem : checked.problems)
+        errors.push_back(diagnostic_of(text, problem.place, problem.message, problem.hint));
+    throw Failure(ExitCode::Refused, to_string(errors));
+}
+
+PointSystem load_point_system(const LoadedText& text, const std::vector<std::string>& constants,
+                              std::size_t dimension) {
+    PointGrammar grammar = load_point_grammar(text);
+    PointSettings settings;
+    settings.dimension = dimension;
+    settings.constants = constant_values(grammar, constants);
+    settings.start = PointStart::Input;
+    return checked_system(text, std::move(grammar), settings);
+}
+
+void require_ring(const PointSystem& system, const std::string& name, const std::string& what) {
+    if (!system.grammar().ring)
+        throw failure(ExitCode::Refused, fmt::format("`{}` has open words; {}", name, what),
+                      "`ring` in the grammar makes them circular");
+}
+
+} // namespace internode::cli

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+//
+// A point grammar as the command line names it: its constants, the word it starts from, its environment.
+
+#pragma once
+
+#include "cli/shell/exit_code.h"
+#include "cli/shell/load.h"
+#include "cli/arguments/options.h"
+#include "internode/curve/homogeneous.h"
+#include "internode/point/interpreter.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace internode::cli {
+
+struct LoadedPoints {
+    LoadedText text; ///< of the grammar: diagnostics quote it
+    PointSystem system;
+    ModuleWord word; ///< of the polygon, or the axiom
+    DeriveOptions derive;
+    std::string name;                 ///< of the grammar, for titles
+    std::string start;                ///< base name of the polygon's file, or "the axiom"
+    std::size_t polygon_size = 0;     ///< points of the polygon; 0 when the axiom is meant
+    std::vector<std::string> columns; ///< names of the polygon's coordinates, when its file gives them
+    Coordinates coordinates = Coordinates::Cartesian;
+};
+
+/// \throw Failure: Refused with everything that is wrong in the grammar, File and Refused for the polygon, Usage for
+/// --set and --query that fit no constant and no query module
+[[nodiscard]] LoadedPoints load_points(const LoadedText& text, const SubdivideOptions& options);
+
+/// What --set says, by name. \throw Failure (Usage) for what is no constant of the grammar or no number
+[[nodiscard]] std::map<std::string, Rational> constant_values(const PointGrammar& grammar,
+                                                              const std::vector<std::string>& settings);
+
+/// Why a derivation ended, with its place in the grammar.
+[[nodiscard]] Failure derivation_failure(const LoadedPoints& loaded, const DerivationProblem& problem);
+
+} // namespace internode::cli
