@@ -7,11 +7,9 @@
 #include "cli/arguments/command_line.h"
 
 #include "cli/arguments/command_reader.h"
-#include "cli/shell/exit_code.h"
-#include "cli/grids/grid.h"
 #include "cli/arguments/option_checks.h"
-#include "cli/arguments/places.h"
 #include "cli/arguments/public_command_line.h"
+#include "cli/requests/exit_code.h"
 #include "internode/text/diagnostic.h"
 
 #include <fmt/format.h>
@@ -25,10 +23,14 @@ CommandReader::CommandReader() {
     app_.allow_extras();
     app_.set_help_flag("-h,--help", "This text");
     app_.add_flag("--version", version_, "Version, compiler, instruction set, libraries");
-    add_common(&app_);
-    add_grammar_commands();
-    add_curve_commands();
-    add_pyramid_commands();
+    for (CLI::Option* early : {add_quiet(&app_), add_verbose(&app_)}) early->group("Before commands that have them");
+    add_color(&app_);
+    add_validate();
+    add_masks();
+    add_subdivide();
+    add_converge();
+    add_reverse();
+    add_compose();
     add_infer();
     add_small_commands();
 }
@@ -56,6 +58,38 @@ void CommandReader::refuse_leftovers(const CLI::App& app) const {
                   meant.empty() ? fmt::format("see `{}`", where) : fmt::format("did you mean `{}`?", meant));
 }
 
+namespace {
+
+/// "--degree" of -d,--degree; of a place its name.
+std::string name_of_option(const CLI::Option& option) {
+    if (!option.get_lnames().empty()) return "--" + option.get_lnames().front();
+    return option.get_snames().empty() ? option.get_name() : "-" + option.get_snames().front();
+}
+
+} // namespace
+
+/// What stands before the command counts for it.
+std::vector<GivenOption> CommandReader::given_options(const CLI::App& app) const {
+    std::vector<GivenOption> given;
+    for (const CLI::Option* option : app.get_options()) {
+        const CLI::Option* const early = app_.get_option_no_throw(name_of_option(*option));
+        if (option->count() == 0 && (early == nullptr || early->count() == 0)) continue;
+        const auto belonging = belongings_.find(option);
+        given.push_back({name_of_option(*option), belonging == belongings_.end() ? Belonging{} : belonging->second});
+    }
+    return given;
+}
+
+/// Refuses what stands before a command that has no such option.
+void CommandReader::refuse_early_options(const CLI::App& command) const {
+    for (const CLI::Option* option : app_.get_options()) {
+        const std::string name = name_of_option(*option);
+        if (option->count() == 0 || command.get_option_no_throw(name) != nullptr) continue;
+        throw failure(ExitCode::Usage, fmt::format("{} does nothing before `{}`", name, command.get_name()),
+                      fmt::format("see `internode {} --help`", command.get_name()));
+    }
+}
+
 /// More threads than this are as many.
 constexpr std::uint64_t max_threads = 1024;
 
@@ -71,33 +105,22 @@ CommandLine CommandReader::read(int argc, const char* const* argv) {
     if (color_ != "auto") common_.color = color_ == "always" ? Color::Always : Color::Never;
     common_.threads = static_cast<int>(std::min<std::uint64_t>(threads_, max_threads));
     common_.isa = isa_of_environment();
+    common_.command_line = public_command_line(argc, argv);
     refuse_leftovers(app_);
     if (version_) return {common_, VersionOptions{}};
     for (const Command& command : commands_) {
         if (!command.app->parsed()) continue;
         refuse_leftovers(*command.app);
-        return {common_, command.finish()};
+        refuse_early_options(*command.app);
+        common_.given = given_options(*command.app);
+        Request request = command.finish();
+        return {common_, std::move(request)};
     }
     return {common_, HelpRequest{app_.help()}};
 }
 
 CommandLine read_command_line(int argc, const char* const* argv) {
-    CommandLine line = CommandReader().read(argc, argv);
-    line.common.command_line = public_command_line(argc, argv);
-    std::visit(
-        [](auto& options) {
-            if constexpr (requires { options.sides; }) {
-                settle_grid_options(options);
-                if (options.is_grid()) return;
-            }
-            if constexpr (requires { options.polygon; }) settle_places(options.grammar, options.polygon);
-            if constexpr (requires { options.grammar; }) check_grammar(options.grammar);
-            if constexpr (
-                requires { options.polygon; } && !requires { options.point; } && !requires { options.rules; })
-                require_polygon(options.polygon); // a point grammar may have an axiom, or be asked for its rules
-        },
-        line.request);
-    return line;
+    return CommandReader().read(argc, argv);
 }
 
 } // namespace internode::cli

@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "cli/arguments/options.h"
+#include "cli/requests/options.h"
 
 namespace internode::cli {
 

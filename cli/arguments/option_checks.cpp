@@ -2,7 +2,7 @@
 
 #include "cli/arguments/option_checks.h"
 
-#include "cli/shell/exit_code.h"
+#include "cli/requests/exit_code.h"
 #include "internode/curve/knots.h"
 #include "internode/text/number.h"
 

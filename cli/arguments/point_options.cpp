@@ -1,43 +1,37 @@
 // SPDX-License-Identifier: MIT
+//
+// The options of `subdivide` that only point grammars have.
 
-#include "cli/arguments/point_options.h"
-
-#include "cli/shell/exit_code.h"
-
-#include <fmt/format.h>
+#include "cli/arguments/command_reader.h"
 
 namespace internode::cli {
 
-void refuse_curve_options(const SubdivideOptions& options) {
-    const PolygonOptions& polygon = options.polygon;
-    const char* const name = polygon.degree                        ? "-d"
-                             : !polygon.word.empty()               ? "--word"
-                             : polygon.repeat                      ? "--repeat"
-                             : polygon.ends == EndsOption::Closed  ? "--closed"
-                             : polygon.ends == EndsOption::Open    ? "--open"
-                             : polygon.ends == EndsOption::Clamped ? "--clamped"
-                             : options.limit                       ? "--limit"
-                             : options.derivatives                 ? "--derivatives"
-                                                                   : nullptr;
-    if (name == nullptr) return;
-    throw failure(ExitCode::Usage, fmt::format("{} belongs to interval grammars", name),
-                  polygon.ends != EndsOption::Unsaid ? "a point grammar says `ring` itself"
-                                                     : "the rules of a point grammar say everything");
+CLI::Option* CommandReader::add_settings(CLI::App* app, std::vector<std::string>& settings) {
+    return app->add_option("--set", settings, "The value of a constant, --set w=1/8 (repeatable)")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
 }
 
-void refuse_point_options(const PointOptions& options) {
-    const char* const name = !options.settings.empty()  ? "--set"
-                             : !options.queries.empty() ? "--query"
-                             : options.phase            ? "--phase"
-                             : options.seed             ? "--seed"
-                             : options.max_modules      ? "--max-modules"
-                             : options.trace            ? "--trace"
-                             : options.tree             ? "--tree"
-                             : options.interpreter      ? "--interpreter"
-                                                        : nullptr;
-    if (name != nullptr)
-        throw failure(ExitCode::Usage, fmt::format("{} belongs to point grammars", name),
-                      "a text whose first statement is `points NAME`");
+void CommandReader::add_point(CLI::App* subdivide) {
+    PointOptions& point = subdivide_.point;
+    put(add_settings(subdivide, point.settings), for_points());
+    put(subdivide->add_option("--query", point.queries, "The parameters of a query module, --query C=1/4")
+            ->type_name("NAME=V,V")
+            ->allow_extra_args(false),
+        for_points());
+    put(add_number(subdivide, "--phase", point.phase, "The module at which strict predecessors begin to part it"),
+        for_points());
+    put(add_number(subdivide, "--seed", point.seed, "Of stochastic rules (default 0)"), for_points());
+    put(add_number(subdivide, "--max-modules", point.max_modules, "Refuse longer words (default 10000000)"),
+        for_points());
+    put(subdivide->add_flag("--trace", point.trace, "The word after every step, and every interpretation"),
+        for_points());
+    put(subdivide->add_flag("--tree", point.tree, "The derivation tree of all steps (SVG)"), for_points());
+    Belonging interpreter = for_points({"--trace", "--tree"});
+    interpreter.places.front().formats = {"csv", "json", "npy", "obj", "text"};
+    interpreter.refusals = {{.kinds = {Kind::Points}, .format = "svg", .hint = "pictures are always interpreted"}};
+    put(subdivide->add_flag("--interpreter", point.interpreter, "Derive module by module, as the papers define it"),
+        interpreter);
 }
 
 } // namespace internode::cli

@@ -2,9 +2,13 @@
 
 #include "cli/commands/commands.h"
 #include "cli/intervals/curve_output.h"
+#include "cli/requests/formats.h"
+#include "cli/shell/generator.h"
 #include "cli/shell/load.h"
 #include "cli/shell/output.h"
+#include "cli/shell/settled.h"
 #include "internode/curve/refinement.h"
+#include "internode/input/settled_pyramid.h"
 #include "internode/io/csv.h"
 #include "internode/io/json/pyramid_json.h"
 #include "internode/io/npy.h"
@@ -20,12 +24,7 @@ Pyramid load_pyramid(const std::string& place) {
     const LoadedText input = load_text(place);
     const ParsedPyramid parsed = read_pyramid(input.text, input.source);
     if (!parsed.pyramid) throw Failure(ExitCode::Refused, to_string(parsed.errors));
-    CheckedPyramid checked = checked_pyramid(*parsed.pyramid);
-    if (checked.pyramid) return *std::move(checked.pyramid);
-    std::string text;
-    for (const std::string& problem : checked.problems)
-        text += fmt::format("{}: error: {}\n", printable(input.source), printable(problem));
-    throw Failure(ExitCode::Refused, text);
+    return value_of(settle_pyramid(*parsed.pyramid));
 }
 
 /// The pyramid up to a level.
@@ -61,7 +60,7 @@ void write_polygon(Sink& sink, const std::string& format, const Curve& curve, co
 } // namespace
 
 ExitCode run(const ComposeOptions& options, const Context& context) {
-    const std::string format = chosen_format(options.output, {"csv", "json", "npy", "obj"}, "csv");
+    const std::string format = settled_format(context, options.output, {"compose", {}, ""});
     const Pyramid pyramid = lower_part(load_pyramid(options.pyramid), options);
     if (format == "obj" && pyramid.coarse.dimension() > max_obj_dimension)
         throw failure(ExitCode::Refused, fmt::format("OBJ has at most {} coordinates, the points have {}",

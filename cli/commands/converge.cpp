@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 
 #include "cli/commands/commands.h"
+#include "cli/intervals/polygon.h"
+#include "cli/requests/formats.h"
+#include "cli/shell/generator.h"
 #include "cli/shell/load.h"
 #include "cli/shell/output.h"
-#include "cli/intervals/polygon.h"
 #include "internode/curve/convergence.h"
 #include "internode/curve/refinement.h"
 #include "internode/report/json/convergence_json.h"
@@ -20,7 +22,7 @@ namespace {
 /// Steps drawn in the page's picture: enough to see the polygon settle on the curve.
 constexpr int drawn_steps = 1;
 
-std::string page_text(const LoadedCurve& loaded, const Convergence& convergence, const Context& context) {
+std::string page_text(const SettledCurve& loaded, const Convergence& convergence, const Context& context) {
     const Curve& curve = loaded.curve;
     Refinement refinement(curve);
     for (int step = 0; step < drawn_steps; ++step) refinement.step();
@@ -33,11 +35,11 @@ std::string page_text(const LoadedCurve& loaded, const Convergence& convergence,
 } // namespace
 
 ExitCode run(const ConvergeOptions& options, const Context& context) {
-    const std::string format = chosen_format(options.output, {"text", "json"}, "text");
+    const std::string format = settled_format(context, options.output, {"converge", Kind::Intervals, ""});
     if (options.html == "-" && options.output.file == "-")
         throw failure(ExitCode::Usage, "report and page cannot both go to stdout", "give one of them a file");
     const IntervalSystem system = load_system(options.grammar);
-    const LoadedCurve loaded = load_polynomial_curve(system, options.polygon);
+    const SettledCurve loaded = load_polynomial_curve(system, options.polygon);
     if (refined_size(loaded.curve, options.steps, options.polygon.max_points).exceeded)
         throw failure(ExitCode::Refused,
                       fmt::format("{} steps give more than {} points", options.steps, options.polygon.max_points),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 
 #include "cli/commands/commands.h"
+#include "cli/requests/formats.h"
+#include "cli/shell/generator.h"
 #include "cli/shell/load.h"
 #include "cli/shell/output.h"
 #include "internode/io/matrix/fraction_matrix.h"
@@ -66,7 +68,7 @@ std::string open_text(const LoadedMatrix& input, const InferenceTextOptions& opt
 } // namespace
 
 ExitCode run(const InferOptions& options, const Context& context) {
-    (void)chosen_format(options.output, {"lsys"}, "lsys");
+    (void)settled_format(context, options.output, {"infer", {}, ""});
     const LoadedMatrix input = load_matrix(options.matrix);
     check_shift(options, input.matrix);
     InferenceTextOptions text;

@@ -19,10 +19,6 @@ std::string compiler() {
 
 } // namespace
 
-Generator generator(const Context& context) {
-    return {std::string(version()), context.command_line};
-}
-
 ExitCode run(const VersionOptions&, const Context& context) {
     std::string text = fmt::format("internode {}\ncompiler {}\ninstruction set {}, kernels {}\n", version(), compiler(),
                                    instruction_set(), usable(context.isa) == Isa::Avx2 ? "avx2" : "plain");

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 
-#include "cli/commands/commands.h"
 #include "cli/grids/grid.h"
-#include "cli/intervals/lengths.h"
+#include "cli/grids/handlers.h"
+#include "cli/intervals/knots_output.h"
+#include "cli/requests/formats.h"
+#include "cli/shell/generator.h"
 #include "cli/shell/output.h"
 #include "internode/io/json/grid_json.h"
 #include "internode/io/sheet_files.h"
@@ -45,11 +47,6 @@ void print_plan(const Grid& grid, const SubdivideOptions& options) {
 }
 
 void check_format(const SubdivideOptions& options, const std::string& format, const Grid& grid) {
-    if (options.normals && !options.limit)
-        throw failure(ExitCode::Usage, "--normals belongs to --limit: control points have none", "add --limit");
-    if (options.limit && format == "json")
-        throw failure(ExitCode::Usage, "points of the surface have no word: --limit has no JSON form",
-                      "use OBJ, PLY or STL");
     if (format != "json" && grid.space_dimension() > max_mesh_dimension)
         throw failure(ExitCode::Refused,
                       fmt::format("meshes have at most {} coordinates, the points have {}", max_mesh_dimension,
@@ -61,8 +58,13 @@ void check_format(const SubdivideOptions& options, const std::string& format, co
 }
 
 GridSide side(const Knots& knots) {
-    return {static_cast<std::size_t>(knots.degree()), knots.ends(), knots.system().alphabet().names(), knots.word(),
-            current_lengths(knots)};
+    return {static_cast<std::size_t>(knots.degree()),
+            knots.ends(),
+            knots.system().alphabet().names(),
+            knots.word(),
+            current_lengths(knots),
+            exact_origin(knots),
+            written_knots(knots)};
 }
 
 void write_json(Sink& sink, const Grid& grid, const Context& context) {
@@ -92,7 +94,7 @@ void write_mesh(Sink& sink, const std::string& format, const Sheet& sheet, const
 
 ExitCode subdivide_grid(const SubdivideOptions& options, const Context& context) {
     const std::string format =
-        chosen_format(options.output, {"json", "obj", "ply", "stl"}, options.limit ? "obj" : "json");
+        settled_format(context, options.output, {"subdivide", Kind::Grids, ""}, options.limit ? "obj" : "json");
     const LoadedGrid loaded = load_grid(options);
     if (options.plan) {
         if (options.output.file != "-") throw failure(ExitCode::Usage, "--plan writes no file: leave -o out");
@@ -110,8 +112,8 @@ ExitCode subdivide_grid(const SubdivideOptions& options, const Context& context)
     if (format == "json")
         write_json(output.sink(), fine, context);
     else if (options.limit)
-        write_mesh(output.sink(), format, surface_limit(fine, options.normals ? Normals::Unit : Normals::None).sheet,
-                   context);
+        write_mesh(output.sink(), format,
+                   surface_limit(loaded.grid, fine, options.normals ? Normals::Unit : Normals::None).sheet, context);
     else
         write_mesh(output.sink(), format, control_sheet(fine), context);
     output.commit();

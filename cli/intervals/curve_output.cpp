@@ -2,16 +2,16 @@
 
 #include "cli/intervals/curve_output.h"
 
-#include "cli/intervals/lengths.h"
-#include "internode/io/json/curve_json.h"
+#include "cli/intervals/knots_output.h"
+#include "cli/shell/generator.h"
 
 namespace internode::cli {
 
 void write_curve(Sink& sink, const Curve& curve, const Context& context) {
-    write_curve(sink, curve, {curve.dimension(), curve.points()}, false, context);
+    write_curve_json(sink, curve_document(curve, {curve.dimension(), curve.points()}, false, context));
 }
 
-void write_curve(Sink& sink, const Curve& curve, const PointsView& points, bool weighted, const Context& context) {
+CurveDocument curve_document(const Curve& curve, const PointsView& points, bool weighted, const Context& context) {
     CurveDocument document;
     document.version = generator(context).version;
     document.command = context.command_line;
@@ -20,9 +20,11 @@ void write_curve(Sink& sink, const Curve& curve, const PointsView& points, bool 
     document.symbols = curve.system().alphabet().names();
     document.word = curve.word();
     document.lengths = current_lengths(curve.knots());
+    document.origin = exact_origin(curve.knots());
+    document.knots = written_knots(curve.knots());
     document.points = points;
     document.weighted = weighted;
-    write_curve_json(sink, document);
+    return document;
 }
 
 } // namespace internode::cli

@@ -2,13 +2,14 @@
 
 #include "cli/intervals/limit_output.h"
 
-#include "cli/shell/exit_code.h"
+#include "cli/requests/exit_code.h"
 #include "internode/curve/limit.h"
 #include "internode/io/csv.h"
 #include "internode/io/npy.h"
 #include "internode/io/obj/obj.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <span>
 
@@ -59,24 +60,33 @@ void write_limit(Sink& sink, const std::string& format, const Refinement& refine
     const std::size_t dimension = is_rational ? width - 1 : width;
     if (is_rational) limit.points = projected_points(limit.points, width);
     const PointsView points{dimension, limit.points};
+    assert(format == "csv" || format == "npy");
     if (format == "csv") {
         CsvOptions csv;
         csv.header = names;
         csv.header.insert(csv.header.begin(), "t");
         csv.parameter = limit.parameters;
         write_csv(sink, points, csv);
-    } else if (format == "npy") {
+    } else {
         const std::vector<double> rows =
             side_by_side(limit.parameters.size(), {{1, limit.parameters}, {dimension, limit.points}});
         write_npy(sink, {dimension + 1, rows});
-    } else {
-        write_obj(sink, points, refinement.curve().ends());
     }
 }
 
-void write_limit_frames(Sink& sink, const std::string& format, const Refinement& refinement,
+std::size_t write_limit_obj(Sink& sink, const Refinement& refinement, Coordinates coordinates, std::size_t before) {
+    LimitPoints limit = limit_points(refinement);
+    const std::size_t width = refinement.curve().dimension();
+    const bool is_rational = coordinates == Coordinates::Homogeneous;
+    if (is_rational) limit.points = projected_points(limit.points, width);
+    const PointsView points{is_rational ? width - 1 : width, limit.points};
+    write_obj(sink, points, refinement.curve().ends(), {}, before);
+    return points.size();
+}
+
+void write_limit_frames(Sink& sink, const std::string& format, const Curve& given, const Refinement& refinement,
                         const std::vector<std::string>& names) {
-    const LimitFrames frames = limit_frames(refinement);
+    const LimitFrames frames = limit_frames(given, refinement);
     refuse_what_doubles_cannot_hold(frames);
     const std::size_t dimension = refinement.curve().dimension();
     const std::vector<double> table = side_by_side(frames.limit.parameters.size(), {{1, frames.limit.parameters},

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 
-#include "cli/commands/commands.h"
-#include "cli/shell/output.h"
+#include "cli/points/handlers.h"
 #include "cli/points/point_system.h"
+#include "cli/requests/formats.h"
+#include "cli/shell/generator.h"
+#include "cli/shell/output.h"
 #include "internode/io/matrix/fraction_matrix.h"
 #include "internode/io/matrix/matrix_market.h"
 #include "internode/point/compile/grammar_mask.h"
-#include "internode/report/point_masks.h"
+#include "internode/report/code/cells_code.h"
+#include "internode/report/json/point_masks_json.h"
+#include "internode/report/text/point_masks_text.h"
 #include "internode/text/diagnostic.h"
 
 #include <fmt/format.h>
@@ -16,29 +20,11 @@ namespace {
 
 constexpr std::size_t usual_dimension = 2; ///< masks are the same in all
 constexpr std::uint64_t usual_points = 8;
-constexpr std::uint64_t most_points = 100'000; ///< of a matrix of exact numbers
-
-void refuse_interval_options(const MasksOptions& options) {
-    const char* const name = options.degree != 0     ? "-d"
-                             : options.all           ? "--all"
-                             : !options.word.empty() ? "--word"
-                             : options.steps != 1    ? "-n"
-                                                     : nullptr;
-    if (name != nullptr)
-        throw failure(ExitCode::Usage, fmt::format("{} belongs to interval grammars", name),
-                      "--points says the number of points of the matrix");
-}
-
-std::string format_of(const MasksOptions& options) {
-    const std::vector<std::string> code{"json", "c", "glsl"};
-    if (options.automaton) return chosen_format(options.output, code, "json");
-    return chosen_format(options.output, {"text", "json", "mtx", "csv", "c", "glsl"}, "text");
-}
 
 std::size_t points_of(const MasksOptions& options) {
     const std::uint64_t points = options.points.value_or(usual_points);
-    if (points >= 1 && points <= most_points) return static_cast<std::size_t>(points);
-    throw failure(ExitCode::Usage, fmt::format("--points {} is not from 1 to {}", points, most_points));
+    if (points >= 1 && points <= max_matrix_points) return static_cast<std::size_t>(points);
+    throw failure(ExitCode::Usage, fmt::format("--points {} is not from 1 to {}", points, max_matrix_points));
 }
 
 Failure stopped(const LoadedText& text, const ExactStop& stop) {
@@ -71,11 +57,11 @@ void write_rounded(Sink& sink, const RationalMatrix& matrix, const Context& cont
 
 } // namespace
 
-ExitCode masks_points(const LoadedText& text, const MasksOptions& options, const Context& context) {
-    refuse_interval_options(options);
-    const std::string format = format_of(options);
+ExitCode run(const PointGrammar& grammar, const LoadedText& text, const MasksOptions& options, const Context& context) {
+    const std::string format =
+        settled_format(context, options.output, {"masks", Kind::Points, options.automaton ? "--automaton" : ""});
     const std::size_t points = points_of(options);
-    const PointSystem system = load_point_system(text, options.settings, usual_dimension);
+    const PointSystem system = load_point_system(grammar, text, options.settings, usual_dimension);
     const std::string name = display_name(system.grammar().name, options.grammar);
     Output output(options.output.file);
     if (format == "c" || format == "glsl" || options.automaton) {

@@ -2,9 +2,11 @@
 
 #include "cli/points/point_output.h"
 
+#include "cli/shell/generator.h"
 #include "internode/io/csv.h"
 #include "internode/io/npy.h"
 #include "internode/io/obj/obj.h"
+#include "internode/point/strands.h"
 #include "internode/report/json/points_json.h"
 
 #include <fmt/format.h>

@@ -4,9 +4,9 @@
 
 #pragma once
 
-#include "cli/commands/commands.h"
 #include "cli/points/points.h"
 #include "internode/io/file/sink.h"
+#include "internode/point/strands.h"
 
 #include <cstdint>
 #include <string>

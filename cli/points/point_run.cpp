@@ -2,6 +2,9 @@
 
 #include "cli/points/point_run.h"
 
+#include "internode/point/growth.h"
+#include "internode/point/strands.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -64,10 +67,6 @@ void refuse_growth(const LoadedPoints& loaded, std::uint64_t cycles) {
                       fmt::format("after {} cycles the word would have {} modules; {} are allowed", cycles,
                                   *length > told ? fmt::format("more than {}", told) : std::to_string(*length), most),
                       "fewer cycles, or a larger --max-modules");
-}
-
-ModuleWord derived_word(const LoadedPoints& loaded, std::uint64_t cycles) {
-    return whole(loaded, derive(loaded.system, loaded.word, cycles, loaded.derive));
 }
 
 PointStrands drawn(const LoadedPoints& loaded, const ModuleWord& word) {

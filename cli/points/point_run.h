@@ -6,6 +6,7 @@
 
 #include "cli/points/points.h"
 #include "internode/io/file/sink.h"
+#include "internode/point/strands.h"
 #include "internode/report/picture/derivation_tree.h"
 #include "internode/report/picture/levels_picture.h"
 
@@ -14,14 +15,8 @@
 
 namespace internode::cli {
 
-/// Cycles that a command line may ask for: a word that does not grow would never end them.
-inline constexpr std::uint64_t max_cycles = 100'000;
-
 /// \throw Failure (Refused) for a word that is known to explode
 void refuse_growth(const LoadedPoints& loaded, std::uint64_t cycles);
-
-/// The word after so many cycles, module by module. \throw Failure (Refused) for what the derivation meets
-[[nodiscard]] ModuleWord derived_word(const LoadedPoints& loaded, std::uint64_t cycles);
 
 /// The drawing of a word, interpreted.
 [[nodiscard]] PointStrands drawn(const LoadedPoints& loaded, const ModuleWord& word);

@@ -2,8 +2,8 @@
 
 #include "cli/points/point_system.h"
 
-#include "cli/shell/exit_code.h"
 #include "cli/points/points.h"
+#include "cli/requests/exit_code.h"
 #include "internode/grammar/points/parse_points.h"
 #include "internode/text/diagnostic.h"
 
@@ -30,9 +30,8 @@ PointSystem checked_system(const LoadedText& text, PointGrammar grammar, const P
     throw Failure(ExitCode::Refused, to_string(errors));
 }
 
-PointSystem load_point_system(const LoadedText& text, const std::vector<std::string>& constants,
+PointSystem load_point_system(PointGrammar grammar, const LoadedText& text, const std::vector<std::string>& constants,
                               std::size_t dimension) {
-    PointGrammar grammar = load_point_grammar(text);
     PointSettings settings;
     settings.dimension = dimension;
     settings.constants = constant_values(grammar, constants);

@@ -21,8 +21,8 @@ namespace internode::cli {
 [[nodiscard]] PointSystem checked_system(const LoadedText& text, PointGrammar grammar, const PointSettings& settings);
 
 /// For polygons of that dimension, with the constants that --set says. \throw Failure, Usage for --set
-[[nodiscard]] PointSystem load_point_system(const LoadedText& text, const std::vector<std::string>& constants,
-                                            std::size_t dimension);
+[[nodiscard]] PointSystem load_point_system(PointGrammar grammar, const LoadedText& text,
+                                            const std::vector<std::string>& constants, std::size_t dimension);
 
 /// \throw Failure (Refused) for open words, with what the command can do only with rings
 void require_ring(const PointSystem& system, const std::string& name, const std::string& what);

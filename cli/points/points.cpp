@@ -2,10 +2,11 @@
 
 #include "cli/points/points.h"
 
-#include "cli/points/point_system.h"
 #include "cli/intervals/polygon.h"
+#include "cli/points/point_system.h"
 #include "internode/algebra/rational.h"
 #include "internode/grammar/points/parse_points.h"
+#include "internode/point/start_word.h"
 #include "internode/text/diagnostic.h"
 
 #include <fmt/format.h>
@@ -146,10 +147,7 @@ std::map<std::string, Rational> constant_values(const PointGrammar& grammar, con
     return values;
 }
 
-LoadedPoints load_points(const LoadedText& text, const SubdivideOptions& options) {
-    ParsedPointGrammar parsed = parse_point_grammar(text.text, text.source);
-    if (!parsed.grammar) throw Failure(ExitCode::Refused, to_string(parsed.errors));
-    PointGrammar grammar = *std::move(parsed.grammar);
+LoadedPoints load_points(PointGrammar grammar, const LoadedText& text, const SubdivideOptions& options) {
     const bool from_polygon = !options.polygon.place.empty();
     if (!from_polygon && !grammar.axiom)
         throw failure(ExitCode::Usage, "no control polygon, and the grammar has no axiom",
@@ -182,6 +180,11 @@ LoadedPoints load_points(const LoadedText& text, const SubdivideOptions& options
             .polygon_size = polygon_size,
             .columns = std::move(polygon.columns),
             .coordinates = polygon.weights.empty() ? Coordinates::Cartesian : Coordinates::Homogeneous};
+}
+
+StartWord start_of(const LoadedPoints& loaded) {
+    if (loaded.system.start() != PointStart::Input) return {};
+    return {loaded.polygon_size};
 }
 
 Failure derivation_failure(const LoadedPoints& loaded, const DerivationProblem& problem) {

@@ -4,11 +4,11 @@
 
 #pragma once
 
-#include "cli/shell/exit_code.h"
+#include "cli/requests/exit_code.h"
+#include "cli/requests/options.h"
 #include "cli/shell/load.h"
-#include "cli/arguments/options.h"
 #include "internode/curve/homogeneous.h"
-#include "internode/point/interpreter.h"
+#include "internode/point/compile/fast_derivation.h"
 
 #include <map>
 #include <string>
@@ -30,7 +30,10 @@ struct LoadedPoints {
 
 /// \throw Failure: Refused with everything that is wrong in the grammar, File and Refused for the polygon, Usage for
 /// --set and --query that fit no constant and no query module
-[[nodiscard]] LoadedPoints load_points(const LoadedText& text, const SubdivideOptions& options);
+[[nodiscard]] LoadedPoints load_points(PointGrammar grammar, const LoadedText& text, const SubdivideOptions& options);
+
+/// What the polygon is to the compiler: so many points, or the axiom.
+[[nodiscard]] StartWord start_of(const LoadedPoints& loaded);
 
 /// What --set says, by name. \throw Failure (Usage) for what is no constant of the grammar or no number
 [[nodiscard]] std::map<std::string, Rational> constant_values(const PointGrammar& grammar,

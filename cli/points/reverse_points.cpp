@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
 
-#include "cli/commands/commands.h"
-#include "cli/shell/output.h"
-#include "cli/arguments/places.h"
-#include "cli/points/point_system.h"
 #include "cli/intervals/polygon.h"
+#include "cli/points/handlers.h"
+#include "cli/points/point_system.h"
+#include "cli/requests/formats.h"
+#include "cli/requests/places.h"
+#include "cli/shell/generator.h"
+#include "cli/shell/output.h"
 #include "internode/grammar/points/print_points.h"
 #include "internode/io/csv.h"
 #include "internode/point/compile/grammar_mask.h"
+#include "internode/point/infer/reduction.h"
 #include "internode/point/interpreter.h"
+#include "internode/report/json/reversal_json.h"
 #include "internode/report/picture/reversal_picture.h"
-#include "internode/report/reversal_report.h"
+#include "internode/report/text/reversal_text.h"
 #include "internode/text/diagnostic.h"
 
 #include <fmt/format.h>
@@ -19,24 +23,6 @@
 
 namespace internode::cli {
 namespace {
-
-/// Beyond, a scheme of arity 1 would be undone for ever.
-constexpr std::uint64_t max_levels = 100'000;
-
-void refuse_interval_options(const ReverseOptions& options) {
-    const PolygonOptions& polygon = options.polygon;
-    const char* const name = polygon.degree                       ? "-d"
-                             : !polygon.word.empty()              ? "--word"
-                             : polygon.repeat                     ? "--repeat"
-                             : polygon.ends != EndsOption::Unsaid ? "--closed, --open or --clamped"
-                             : options.threshold                  ? "--threshold"
-                             : options.keep                       ? "--keep"
-                             : options.unclamped                  ? "--unclamped"
-                                                                  : nullptr;
-    if (name != nullptr)
-        throw failure(ExitCode::Usage, fmt::format("{} belongs to interval grammars", name),
-                      "the rules of a point grammar say everything");
-}
 
 /// How a grammar is undone: by a derived rule, or by its own rules when it reduces.
 struct WayBack {
@@ -47,38 +33,23 @@ struct WayBack {
     std::size_t arity = 1; ///< points that become one; 1 when the rules do not say it plainly
 };
 
-/// The common number of strict predecessors of rules that make one point each; 1 when there is none.
-std::size_t own_arity(const PointGrammar& grammar) {
-    const std::size_t arity = grammar.rules.front().predecessor.size();
-    const bool plain = std::ranges::all_of(grammar.rules, [arity](const PointRule& rule) {
-        return rule.predecessor.size() == arity && rule.successor.size() == 1;
-    });
-    return plain ? arity : 1;
-}
-
-bool reduces(const PointGrammar& grammar) {
-    return std::ranges::any_of(grammar.rules, [](const PointRule& rule) { return rule.predecessor.size() > 1; });
-}
-
 /// The rule of a window of at least --window fine points.
 ReverseRule derived_rule(const UniformMask& mask, const std::string& name, const ReverseOptions& options) {
-    const std::optional<ReverseRule> narrowest = reverse_rule(mask);
-    if (!narrowest)
+    const std::optional<ReverseRule> rule = reverse_rule_of_window(mask, options.window.value_or(0));
+    if (!rule)
         throw failure(
             ExitCode::Refused,
             fmt::format("`{}` has no local reverse rule: its new points do not determine the old ones", name));
-    const std::size_t size = narrowest->weights.size();
-    const std::uint64_t asked = options.window.value_or(size);
-    if (asked <= size) return *narrowest;
-    return reverse_rule(mask, (static_cast<std::size_t>(asked) - size + 1) / 2).value();
+    return *rule;
 }
 
-WayBack way_back(const LoadedText& text, const ReverseOptions& options, std::size_t dimension) {
-    PointSystem system = load_point_system(text, options.settings, dimension);
+WayBack way_back(const PointGrammar& grammar, const LoadedText& text, const ReverseOptions& options,
+                 std::size_t dimension) {
+    PointSystem system = load_point_system(grammar, text, options.settings, dimension);
     const std::string name = printable(display_name(system.grammar().name, options.grammar));
     require_ring(system, name, "local reverse rules are for rings");
     if (reduces(system.grammar())) {
-        const std::size_t arity = own_arity(system.grammar());
+        const std::size_t arity = reduced_arity(system.grammar());
         return {std::move(system), name, {}, {}, arity};
     }
     std::optional<UniformMask> mask = uniform_mask(system);
@@ -93,63 +64,48 @@ WayBack way_back(const LoadedText& text, const ReverseOptions& options, std::siz
 
 /// A number of points that the arity divides at every level: as it is, below, or the nearest.
 Fitting fit(InputPolygon& polygon, std::size_t arity, std::uint64_t levels, FitOption option) {
-    const std::uint64_t measured = polygon.size();
-    const std::uint64_t factor = points_per_coarse_point(arity, levels).value_or(0);
-    Fitting fitting{.measured = polygon.size(), .points = polygon.size()};
-    if (factor != 0 && measured % factor == 0) return fitting;
-    const std::uint64_t below = factor == 0 ? 0 : measured / factor * factor;
-    const std::uint64_t above = factor == 0 ? 0 : below + factor;
-    if (option == FitOption::Refuse || above == 0 || (option == FitOption::Cut && below == 0))
+    const RingSizes sizes = ring_sizes(polygon.size(), arity, levels);
+    if (!sizes.exact() &&
+        (option == FitOption::Refuse || sizes.above == 0 || (option == FitOption::Cut && sizes.below == 0)))
         throw failure(ExitCode::Refused,
                       fmt::format("{} has {} points, which cannot become one of {} in each of {} levels",
-                                  polygon.source, measured, arity, levels),
-                      below == 0 ? "fewer levels: -n"
-                                 : fmt::format("--cut to {}, --resample to the nearer of {} and {}, or fewer levels",
-                                               below, below, above));
-    const bool down = option == FitOption::Cut || (below != 0 && measured - below <= above - measured);
-    fitting.points = static_cast<std::size_t>(down ? below : above);
-    fitting.fit = option == FitOption::Cut ? Fit::Cut : Fit::Resampled;
-    if (option == FitOption::Cut) {
-        polygon.points = cut(polygon.points, polygon.dimension, fitting.points);
-    } else {
-        ResampledPolygon result = resampled(polygon.points, polygon.dimension, Ends::Circular, fitting.points);
-        fitting.spacing = result.spacing;
-        polygon.points = std::move(result.points);
-    }
-    return fitting;
-}
-
-/// One cycle of a grammar that reduces by itself.
-ModuleWord reduced(const LoadedText& text, const WayBack& way, const ModuleWord& word, std::uint64_t phase) {
-    DeriveOptions derive;
-    derive.phase = word.size() == 0 ? 0 : phase % word.size();
-    Derivation derived = internode::derive(way.system, word, 1, derive);
-    if (!derived.problem) return std::move(derived.word);
-    const DerivationProblem& problem = *derived.problem;
-    throw Failure(ExitCode::Refused, to_string(diagnostic_of(text, problem.place, problem.message, problem.hint)));
+                                  polygon.source, sizes.measured, arity, levels),
+                      sizes.below == 0
+                          ? "fewer levels: -n"
+                          : fmt::format("--cut to {}, --resample to the nearer of {} and {}, or fewer levels",
+                                        sizes.below, sizes.below, sizes.above));
+    const bool cuts = option == FitOption::Cut;
+    const std::uint64_t points = cuts ? sizes.below : sizes.nearest();
+    FittedPolygon result = fitted(polygon.points, polygon.dimension, Ends::Circular, cuts ? Fit::Cut : Fit::Resampled,
+                                  static_cast<std::size_t>(points));
+    polygon.points = std::move(result.points);
+    return result.fitting;
 }
 
 struct Levels {
-    std::vector<std::vector<double>> polygons;
+    std::vector<std::vector<double>> polygons; ///< the fine one first
     std::vector<ReversedLevel> errors;
 };
 
+/// By a grammar that reduces by itself.
+Levels reduced_levels(const LoadedText& text, const WayBack& way, const InputPolygon& polygon,
+                      const ReversalOptions& options) {
+    Reduction made = reduced(way.system, polygon.points, options.levels, options.phase);
+    if (made.problem)
+        throw Failure(ExitCode::Refused,
+                      to_string(diagnostic_of(text, made.problem->place, made.problem->message, made.problem->hint)));
+    if (!made.polygons.empty() && made.polygons.back().empty())
+        throw failure(ExitCode::Refused, fmt::format("no point is left {} levels down", made.polygons.size()));
+    made.polygons.insert(made.polygons.begin(), polygon.points);
+    return {std::move(made.polygons), {}};
+}
+
 Levels levels_of(const LoadedText& text, const WayBack& way, const InputPolygon& polygon, std::uint64_t levels,
                  std::uint64_t phase) {
-    Levels result{{polygon.points}, {}};
-    if (way.rule) {
-        result.errors = reversed(*way.mask, *way.rule, polygon.points, {polygon.dimension, levels, phase});
-        for (const ReversedLevel& level : result.errors) result.polygons.push_back(level.points);
-        return result;
-    }
-    ModuleWord word = input_word(way.system, polygon.points);
-    for (std::uint64_t level = 0; level < levels; ++level) {
-        word = reduced(text, way, word, phase);
-        PointStrands drawn = strands(word, way.system, 0);
-        if (drawn.size() == 0)
-            throw failure(ExitCode::Refused, fmt::format("no point is left {} levels down", level + 1));
-        result.polygons.push_back(std::move(drawn.points));
-    }
+    const ReversalOptions options{polygon.dimension, levels, phase};
+    if (!way.rule) return reduced_levels(text, way, polygon, options);
+    Levels result{{polygon.points}, reversed(*way.mask, *way.rule, polygon.points, options)};
+    for (const ReversedLevel& level : result.errors) result.polygons.push_back(level.points);
     return result;
 }
 
@@ -172,9 +128,12 @@ std::string picture(const LoadedText& text, const WayBack& way, const InputPolyg
     return reversal_picture(result);
 }
 
-ExitCode write_rules(const LoadedText& text, const ReverseOptions& options, const Context& context) {
-    (void)chosen_format(options.output, {"lsys"}, "lsys");
-    const WayBack way = way_back(text, options, 2);
+ExitCode write_rules(const PointGrammar& grammar, const LoadedText& text, const ReverseOptions& options,
+                     const Context& context) {
+    (void)settled_format(context, options.output, {"reverse", Kind::Points, "--rules"});
+    if (!options.polygon.place.empty())
+        throw failure(ExitCode::Usage, "--rules takes no polygon: the rules are the same for all");
+    const WayBack way = way_back(grammar, text, options, 2);
     if (!way.rule)
         throw failure(ExitCode::Usage,
                       fmt::format("`{}` reduces by itself: its rules are the reverse rules", way.name));
@@ -230,20 +189,22 @@ std::string document(const std::string& format, const LoadedText& text, const Wa
 
 } // namespace
 
-ExitCode reverse_points(const LoadedText& text, const ReverseOptions& options, const Context& context) {
-    refuse_interval_options(options);
-    if (options.rules) return write_rules(text, options, context);
-    const std::string format = chosen_format(options.output, {"text", "json", "csv", "svg"}, "text");
-    const std::string coarse_format = chosen_format({options.coarse, {}}, {"csv", "json"}, "csv");
-    (void)chosen_format({options.picture, {}}, {"svg"}, "svg");
+ExitCode run(const PointGrammar& grammar, const LoadedText& text, const ReverseOptions& options,
+             const Context& context) {
+    if (options.rules) return write_rules(grammar, text, options, context);
+    const std::string format = settled_format(context, options.output, {"reverse", Kind::Points, ""});
+    const std::string coarse_format = chosen_format({options.coarse, {}}, {"reverse", Kind::Points, "--coarse"});
+    (void)chosen_format({options.picture, {}}, {"reverse", Kind::Points, "--picture"});
     Output output(options.output.file);
     std::optional<Output> coarse;
     std::optional<Output> drawing;
     if (!options.coarse.empty()) coarse.emplace(options.coarse);
     if (!options.picture.empty()) drawing.emplace(options.picture);
     InputPolygon polygon = reversible_polygon(options.polygon);
-    const WayBack way = way_back(text, options, polygon.dimension);
+    const WayBack way = way_back(grammar, text, options, polygon.dimension);
     const ReversalReport report = report_of(text, way, polygon, options, context);
+    if (format != "text" && report.fitting.fit != Fit::AsMeasured && !context.quiet)
+        say(context, fmt::format("{}: {}\n", report.source, to_string(report.fitting)));
     output.sink().write(document(format, text, way, polygon, report));
     output.commit();
     if (coarse) {

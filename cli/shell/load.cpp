@@ -2,8 +2,9 @@
 
 #include "cli/shell/load.h"
 
-#include "cli/shell/exit_code.h"
+#include "cli/requests/exit_code.h"
 #include "internode/grammar/bundled.h"
+#include "internode/grammar/lexing/grammar_kind.h"
 #include "internode/grammar/points/parse_points.h"
 #include "internode/io/file/input_file.h"
 #include "internode/text/diagnostic.h"
@@ -35,6 +36,18 @@ ExitCode exit_code(FileError::Kind kind) {
     }
 }
 
+LoadedText grammar_text(const GrammarSource& source) {
+    if (source.expression) return {*source.expression, "<expression>"};
+    if (source.place.rfind('@', 0) == 0) return bundled_text(source.place);
+    return load_text(source.place);
+}
+
+IntervalGrammar interval_grammar(const LoadedText& input) {
+    ParsedGrammar parsed = parse_grammar(input.text, input.source);
+    if (!parsed.grammar) throw Failure(ExitCode::Refused, to_string(parsed.errors));
+    return *std::move(parsed.grammar);
+}
+
 } // namespace
 
 LoadedText load_text(const std::string& place) {
@@ -46,34 +59,22 @@ LoadedText load_text(const std::string& place) {
     throw Failure(exit_code(error.kind), fmt::format("{}: error: {}\n", where, error.message));
 }
 
-LoadedText load_grammar_text(const GrammarSource& source) {
-    if (source.expression) return {*source.expression, "<expression>"};
-    if (source.place.rfind('@', 0) == 0) return bundled_text(source.place);
-    return load_text(source.place);
-}
-
-IntervalGrammar load_grammar(const LoadedText& input) {
-    ParsedGrammar parsed = parse_grammar(input.text, input.source);
-    if (!parsed.grammar) throw Failure(ExitCode::Refused, to_string(parsed.errors));
-    return *std::move(parsed.grammar);
-}
-
-IntervalGrammar load_grammar(const GrammarSource& source) {
-    return load_grammar(load_grammar_text(source));
-}
-
-PointGrammar load_point_grammar(const LoadedText& input) {
-    ParsedPointGrammar parsed = parse_point_grammar(input.text, input.source);
-    if (!parsed.grammar) throw Failure(ExitCode::Refused, to_string(parsed.errors));
-    return *std::move(parsed.grammar);
+LoadedGrammar load_grammar(const GrammarSource& source) {
+    LoadedText text = grammar_text(source);
+    if (kind_of(text.text) == GrammarKind::Points) {
+        ParsedPointGrammar parsed = parse_point_grammar(text.text, text.source);
+        if (!parsed.grammar) throw Failure(ExitCode::Refused, to_string(parsed.errors));
+        return {*std::move(parsed.grammar), std::move(text)};
+    }
+    IntervalGrammar grammar = interval_grammar(text);
+    return {std::move(grammar), std::move(text)};
 }
 
 IntervalSystem load_system(const GrammarSource& source) {
-    return load_system(load_grammar_text(source), source);
+    return load_system(interval_grammar(grammar_text(source)), source);
 }
 
-IntervalSystem load_system(const LoadedText& input, const GrammarSource& source) {
-    const IntervalGrammar grammar = load_grammar(input);
+IntervalSystem load_system(const IntervalGrammar& grammar, const GrammarSource& source) {
     const Verdict verdict = validate(grammar);
     if (verdict.system) return *verdict.system;
     const std::string name = printable(display_name(grammar, source));

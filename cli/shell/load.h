@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "cli/arguments/options.h"
+#include "cli/requests/options.h"
 #include "internode/curve/curve.h"
 #include "internode/grammar/intervals/interval_grammar.h"
 #include "internode/grammar/intervals/parse.h"
@@ -12,6 +12,7 @@
 #include "internode/interval/validity.h"
 
 #include <string>
+#include <variant>
 
 namespace internode::cli {
 
@@ -22,19 +23,19 @@ struct LoadedText {
 };
 [[nodiscard]] LoadedText load_text(const std::string& place);
 
-/// The text of a grammar, for commands that take several kinds. \throw Failure as load_text; Usage for an unknown @name
-[[nodiscard]] LoadedText load_grammar_text(const GrammarSource& source);
+/// A grammar of any kind; commands visit it, and each kind has its handlers.
+struct LoadedGrammar {
+    std::variant<IntervalGrammar, PointGrammar> grammar;
+    LoadedText text; ///< of the grammar: diagnostics quote it
+};
 
 /// \throw Failure: File when it cannot be read, Refused with all its errors, Usage for an unknown @name
-[[nodiscard]] IntervalGrammar load_grammar(const GrammarSource& source);
-/// The same of a text that was loaded; which kind it is, kind_of(input.text) says.
-[[nodiscard]] IntervalGrammar load_grammar(const LoadedText& input);
-[[nodiscard]] PointGrammar load_point_grammar(const LoadedText& input);
+[[nodiscard]] LoadedGrammar load_grammar(const GrammarSource& source);
 
-/// A grammar that must be valid, exactly. \throw Failure as load_grammar; Refused with the verdict's reasons
+/// A grammar that must be valid, exactly. \throw Failure (Refused) with the verdict's reasons
+[[nodiscard]] IntervalSystem load_system(const IntervalGrammar& grammar, const GrammarSource& source);
+/// The same for commands that know interval grammars alone. \throw Failure as both of the above
 [[nodiscard]] IntervalSystem load_system(const GrammarSource& source);
-/// The same of a text that was loaded from `source`.
-[[nodiscard]] IntervalSystem load_system(const LoadedText& input, const GrammarSource& source);
 
 /// The word of --word. \throw Failure (Refused) with every error in it
 [[nodiscard]] ParsedWord load_word(const std::string& text, const Alphabet& alphabet);

@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "cli/arguments/options.h"
+#include "cli/requests/options.h"
 #include "internode/io/file/output_file.h"
 
 #include <cstdint>
@@ -13,11 +13,6 @@
 #include <vector>
 
 namespace internode::cli {
-
-/// The format that --format, or else the extension of -o, asks for; `fallback` when neither says it.
-/// \throw Failure (Usage) for one that is not among `formats`
-[[nodiscard]] std::string chosen_format(const OutputTarget& target, const std::vector<std::string>& formats,
-                                        const std::string& fallback);
 
 /// An open output; the target is known to be writable before any work begins.
 class Output {

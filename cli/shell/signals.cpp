@@ -5,7 +5,7 @@
 
 #include "cli/shell/signals.h"
 
-#include "cli/shell/exit_code.h"
+#include "cli/requests/exit_code.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 
+#include "internode/algebra/fraction.h"
 #include "internode/algebra/number.h"
 #include "tests/reference/real_root.h"
 
@@ -48,10 +49,8 @@ NumberField linear(long root) {
 std::vector<Rational> random_coefficients(std::mt19937& random, std::size_t count, int size) {
     std::vector<Rational> result;
     for (std::size_t i = 0; i < count; ++i) {
-        Rational value(static_cast<int>(random() % static_cast<unsigned>(2 * size + 1)) - size,
-                       1 + static_cast<int>(random() % 12));
-        value.canonicalize();
-        result.push_back(value);
+        const int numerator = static_cast<int>(random() % static_cast<unsigned>(2 * size + 1)) - size;
+        result.push_back(fraction(numerator, 1 + static_cast<int>(random() % 12)));
     }
     return result;
 }

@@ -2,6 +2,7 @@
 
 #include "internode/algebra/perron.h"
 #include "internode/algebra/polynomial.h"
+#include "tests/fixtures/stride.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,11 +18,7 @@ namespace {
 
 using Dense = std::vector<std::vector<Integer>>;
 
-#ifdef INTERNODE_SANITIZED
-constexpr std::size_t stride = 50;
-#else
-constexpr std::size_t stride = 1;
-#endif
+const std::size_t stride = tests::stride();
 
 SparseMatrix sparse(const Dense& matrix) {
     SparseMatrix result(matrix.size());
@@ -217,16 +214,19 @@ TEST(PerronRoot, RefusesAMatrixWithoutRowsOrWithForeignColumns) {
 }
 
 TEST(EncloseRadius, HoldsTheExactRadiusOfAllSmallMatrices) {
+    tests::Compared compared;
     for (const auto& [matrix, root] : small_matrices()) {
         if (!is_irreducible(matrix)) continue;
         const CertifiedRadius result = enclose_radius(sparse(matrix));
         ASSERT_LE(Number(to_rational(result.radius.lower)), root.field.generator());
         ASSERT_GE(Number(to_rational(result.radius.upper)), root.field.generator());
         ASSERT_LE(result.radius.upper - result.radius.lower, 4e-14 * result.radius.upper);
+        ++compared;
     }
 }
 
 TEST(EncloseRadius, BoundsAreTheCollatzWielandtQuotientsOfTheVector) {
+    tests::Compared compared;
     for (const auto& [matrix, root] : small_matrices()) {
         if (!is_irreducible(matrix)) continue;
         const CertifiedRadius result = enclose_radius(sparse(matrix));
@@ -237,6 +237,7 @@ TEST(EncloseRadius, BoundsAreTheCollatzWielandtQuotientsOfTheVector) {
             const Rational quotient = sum / to_rational(result.vector[i]);
             ASSERT_LE(to_rational(result.radius.lower), quotient);
             ASSERT_GE(to_rational(result.radius.upper), quotient);
+            ++compared;
         }
     }
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 
+#include "internode/algebra/fraction.h"
 #include "internode/algebra/polynomial.h"
+#include "tests/reference/real_root.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,18 +10,13 @@
 #include <stdexcept>
 
 using namespace internode;
+using reference::evaluate;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::Pair;
 using testing::UnorderedElementsAre;
 
 namespace {
-
-Rational evaluate(const Polynomial& polynomial, const Rational& x) {
-    Rational value;
-    for (std::size_t i = polynomial.size(); i-- > 0;) value = value * x + polynomial[i];
-    return value;
-}
 
 /// All polynomials of the degree with coefficients -2 … 2, the leading one positive.
 template<typename Check>
@@ -109,8 +106,7 @@ TEST(Roots, MultiplyToTheConstantCoefficient) {
             lower *= box.modulus_lower;
             upper *= box.modulus_upper;
         }
-        Rational product(abs(polynomial.front()), polynomial.back());
-        product.canonicalize();
+        const Rational product = fraction(abs(polynomial.front()), polynomial.back());
         ASSERT_LE(lower, product);
         ASSERT_GE(upper, product);
     });

@@ -2,6 +2,7 @@
 
 #include "tests/cli/command.h"
 #include "tests/fixtures/source_folder.h"
+#include "tests/fixtures/texts.h"
 
 #include <gtest/gtest.h>
 
@@ -14,13 +15,6 @@
 
 namespace internode::tests {
 namespace {
-
-std::string content(const std::filesystem::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
 
 std::string quoted(const std::string& word) {
     std::string text = "'";

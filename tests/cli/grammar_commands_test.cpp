@@ -21,7 +21,7 @@ TEST(Validate, SaysValidAndInvalidByItsExitCode) {
     const Workspace here;
     EXPECT_EQ(here.run({"validate", "@fibonacci"}).code, 0);
     EXPECT_EQ(here.run({"validate", "-e", "L->SL, S->L"}).code, 0);
-    EXPECT_EQ(here.run({"validate", "-", "-q"}, "intervals g\nL -> S L\nS -> L\n").code, 0);
+    EXPECT_EQ(here.run({"validate", "-"}, "intervals g\nL -> S L\nS -> L\n").code, 0);
     const Outcome invalid = here.run({"validate", "-e", "A1->A1A1A2, A2->A2"});
     EXPECT_EQ(invalid.code, 1);
     EXPECT_EQ(invalid.err, "");
@@ -142,6 +142,20 @@ TEST(Masks, ExportsSeveralStepsAtOnce) {
     }
 }
 
+TEST(Masks, SaysTheSizeOfExactWorkAndRefusesMinutesOfIt) {
+    const Workspace here;
+    EXPECT_THAT(here.run({"masks", "@fibonacci", "-d", "2", "-v"}).err, HasSubstr(" units of exact work"));
+    EXPECT_THAT(here.run({"masks", "@fibonacci", "-d", "2", "--format", "c", "-v"}).err,
+                HasSubstr(" units of exact work"));
+    EXPECT_EQ(here.run({"masks", "@fibonacci", "-d", "2"}).err, "");
+    for (const std::vector<std::string>& line : {std::vector<std::string>{"masks", "@tribonacci", "-d", "6", "--all"},
+                                                 {"masks", "@slow-growth-8", "-d", "12", "--format", "c"}}) {
+        const Outcome refused = here.run(line);
+        EXPECT_EQ(refused.code, 3);
+        EXPECT_THAT(refused.err, HasSubstr("units of work, more than the limit of 100000000"));
+    }
+}
+
 TEST(Masks, RefusesWhatCannotBeShown) {
     const Workspace here;
     const Outcome circle = here.run({"masks", "@fibonacci", "-d", "7", "--all", "--svg"});
@@ -202,9 +216,10 @@ TEST(GrammarsCommand, ListsEveryBundledGrammarAndPrintsEach) {
 
 TEST(Limits, NamesEveryLimitWithItsNumber) {
     const Outcome limits = Workspace().run({"limits"});
-    for (const char* word : {"grammar text", "symbols of a grammar", "letters of a rule", "digits of a number",
-                             "JSON depth", "polygon dimension", "degree of an exact field", "degree of a spline",
-                             "states of a stencil automaton", "words drawn on a circle", "--max-points"})
+    for (const char* word :
+         {"grammar text", "symbols of a grammar", "letters of a rule", "digits of a number", "JSON depth",
+          "polygon dimension", "degree of an exact field", "degree of a spline", "states of a stencil automaton",
+          "exact work of a table", "words drawn on a circle", "--max-points"})
         EXPECT_THAT(limits.out, HasSubstr(word));
 }
 

@@ -12,8 +12,8 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::vector<std::string> commands{"validate", "masks", "subdivide", "converge", "reverse",
-                                        "compose",  "word",  "format",    "grammars", "limits"};
+const std::vector<std::string> commands{"validate", "masks", "subdivide", "converge", "reverse",  "compose",
+                                        "infer",    "word",  "format",    "formats",  "grammars", "limits"};
 
 std::vector<std::string> examples(const std::string& help) {
     std::vector<std::string> lines;

@@ -7,6 +7,7 @@
 #include "internode/grammar/bundled.h"
 #include "internode/text/number.h"
 #include "tests/fixtures/source_folder.h"
+#include "tests/fixtures/texts.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -34,13 +35,6 @@ std::vector<fs::path> files_of_grammars(const std::string& extension) {
         if (entry.path().extension() == extension) files.push_back(entry.path());
     std::ranges::sort(files);
     return files;
-}
-
-std::string content(const fs::path& path) {
-    std::ifstream file(path);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
 }
 
 std::vector<std::string> lines(const std::string& text) {
@@ -321,6 +315,37 @@ TEST_F(PointCommands, NamesOfAUserAreInert) {
         EXPECT_THAT(text, Not(HasSubstr("<b>"))) << option;
         EXPECT_THAT(text, Not(HasSubstr("<i>"))) << option;
     }
+}
+
+TEST_F(PointCommands, WarnsInOneLineOfSumsThatAreNotOne) {
+    const std::string grammar =
+        here.file("shrinking.lsys", "points\nring\nP(u) < P(v) -> P(0.99 v) P(1/2 u + 1/2 v)\n");
+    const std::string polygon = here.file("square.csv", "0,0\n1,0\n1,1\n0,1\n");
+    const Outcome warned = run({grammar, polygon, "-n", "1"});
+    EXPECT_EQ(warned.code, 0);
+    EXPECT_EQ(warned.err, "warning: shrinking.lsys:3:18: the coefficients of a point sum to 99/100, not to 1; see "
+                          "`internode validate`\n");
+    const Outcome quiet = run({grammar, polygon, "-n", "1", "-q"});
+    EXPECT_EQ(quiet.err, "");
+    EXPECT_EQ(quiet.out, warned.out);
+    EXPECT_EQ(run({"@s0/13", polygon, "-n", "1"}).err, "");
+    const std::string worse = here.file("worse.lsys", "points\nring\nP(u) < P(v) -> P(0.99 v) P(1/2 u + v) P(2 v)\n");
+    EXPECT_THAT(run({worse, polygon, "-n", "1"}).err, HasSubstr("99/100, not to 1, and 2 more like it; see"));
+}
+
+TEST_F(PointCommands, RefuseContextsWithEndMarkersThatNothingMakes) {
+    const std::string rules = "P(u) < P(v) -> P(1/2 u + 1/2 v) P(v)\n# < P(v) -> P(v)\n";
+    const std::string without = here.file("without.lsys", "points\n" + rules);
+    const std::string with = here.file("with.lsys", "points\ninput # P(v) #\n" + rules);
+    const std::string polygon = here.file("corner.csv", "0,0\n1,0\n1,1\n");
+    const Outcome refused = run({without, polygon, "-n", "1"});
+    EXPECT_EQ(refused.code, 3);
+    EXPECT_THAT(refused.err,
+                AllOf(HasSubstr("without.lsys:3:1: error: a context with `#`, which nothing puts into a word"),
+                      HasSubstr("hint: `input # P(v) #` puts one at each end of a polygon")));
+    EXPECT_EQ(run({with, polygon, "-n", "1"}).code, 0);
+    EXPECT_EQ(here.run({"validate", without}).code, 1);
+    EXPECT_EQ(here.run({"validate", with}).code, 0);
 }
 
 } // namespace

@@ -4,7 +4,7 @@
 // refused.
 
 #include "tests/cli/command.h"
-#include "tests/reference/mesh_files.h"
+#include "tests/fixtures/mesh_files.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -35,9 +35,9 @@ TEST_F(SubdivideGrid, WritesEveryFormat) {
         const Outcome outcome = run({"data/grids/wave.json", "-n", "2", "-o", file});
         EXPECT_EQ(outcome.code, 0) << outcome.err;
     }
-    const reference::MeshFile obj = reference::read_obj(here.read("wave.obj"));
-    const reference::MeshFile ply = reference::read_ply(here.read("wave.ply"));
-    const reference::MeshFile stl = reference::read_stl(here.read("wave.stl"));
+    const tests::MeshFile obj = tests::read_obj(here.read("wave.obj"));
+    const tests::MeshFile ply = tests::read_ply(here.read("wave.ply"));
+    const tests::MeshFile stl = tests::read_stl(here.read("wave.stl"));
     EXPECT_EQ(obj.points, ply.points);
     EXPECT_EQ(obj.faces, ply.faces);
     EXPECT_EQ(stl.faces.size(), 2 * ply.faces.size());
@@ -49,7 +49,7 @@ TEST_F(SubdivideGrid, WritesTheSurfaceWithNormals) {
     const Outcome outcome = here.run({"subdivide", "--u", "@fibonacci", "--v", "@fibonacci", "data/grids/ring.json",
                                       "-n", "2", "--limit", "--normals", "-o", "ring.ply"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const reference::MeshFile mesh = reference::read_ply(here.read("ring.ply"));
+    const tests::MeshFile mesh = tests::read_ply(here.read("ring.ply"));
     EXPECT_EQ(mesh.normals.size(), mesh.points.size());
     EXPECT_EQ(mesh.faces.size(), mesh.points.size() / 3); // closed both ways
 }
@@ -59,7 +59,7 @@ TEST_F(SubdivideGrid, PlansWhatItMakes) {
         const Outcome plan = run({"data/grids/wave.json", "-n", steps, "--plan"});
         ASSERT_EQ(plan.code, 0) << plan.err;
         ASSERT_EQ(run({"data/grids/wave.json", "-n", steps, "-o", "wave.ply"}).code, 0);
-        const std::size_t points = reference::read_ply(here.read("wave.ply")).points.size() / 3;
+        const std::size_t points = tests::read_ply(here.read("wave.ply")).points.size() / 3;
         EXPECT_THAT(plan.out, HasSubstr("points " + std::to_string(points) + "\n"));
     }
 }
@@ -96,8 +96,8 @@ TEST_F(SubdivideGrid, OutputIsInputAgain) {
     ASSERT_EQ(run({"data/grids/wave.json", "-n", "2", "-o", "two.json"}).code, 0);
     ASSERT_EQ(run({"two.json", "-n", "1", "-o", "three.obj"}).code, 0);
     ASSERT_EQ(run({"data/grids/wave.json", "-n", "3", "-o", "at-once.obj"}).code, 0);
-    const reference::MeshFile twice = reference::read_obj(here.read("three.obj"));
-    const reference::MeshFile once = reference::read_obj(here.read("at-once.obj"));
+    const tests::MeshFile twice = tests::read_obj(here.read("three.obj"));
+    const tests::MeshFile once = tests::read_obj(here.read("at-once.obj"));
     EXPECT_EQ(twice.faces, once.faces);
     ASSERT_EQ(twice.points.size(), once.points.size());
     for (std::size_t i = 0; i < once.points.size(); ++i) EXPECT_NEAR(twice.points[i], once.points[i], 1e-13);

@@ -156,7 +156,65 @@ TEST_F(Subdivide, TakesNoMoreMemoryThanPlanned) {
     ASSERT_GT(planned, std::uint64_t{64} << 20);
     EXPECT_LE(large - small, planned + planned * 15 / 100);
 }
+
+std::uint64_t planned_memory(const std::string& plan) {
+    return std::stoull(plan.substr(plan.find("memory ") + 7));
+}
+
+TEST_F(Subdivide, APictureOfManyStepsTakesNoMoreMemoryThanPlanned) {
+    const std::vector<std::string> job{
+        "subdivide", "@fibonacci", "data/curves/iceland-coast.csv", "-d", "3", "--closed", "--word", "LS", "--repeat"};
+    const auto with = [&job](std::initializer_list<std::string> more) {
+        auto line = job;
+        line.insert(line.end(), more);
+        return line;
+    };
+    const std::uint64_t small = here.peak_memory(with({"-n", "0", "-o", "out.npy"}));
+    const std::uint64_t large = here.peak_memory(with({"-n", "14", "-o", "out.svg"}));
+    const std::uint64_t planned = planned_memory(here.run(with({"-n", "14", "--plan", "--format", "svg"})).out);
+    EXPECT_LE(large - std::min(small, large), planned + planned * 15 / 100);
+    EXPECT_LT(planned, std::uint64_t{64} << 20) << "no more is drawn than can be seen";
+}
+
+TEST_F(Subdivide, APictureOfManyGivenPointsTakesNoMoreMemoryThanPlanned) {
+    std::string points;
+    for (int i = 0; i < 250'000; ++i) points += std::to_string(i % 997) + "," + std::to_string(i % 1009) + "\n";
+    here.file("many.csv", points);
+    const std::vector<std::string> job{"subdivide", "@fibonacci", "many.csv", "-d", "3",  "--closed", "--word",
+                                       "LS",        "--repeat",   "--format", "",   "-n", "0"};
+    const auto as = [&job](const std::string& format, std::initializer_list<std::string> more) {
+        auto line = job;
+        line[10] = format;
+        line.insert(line.end(), more);
+        return line;
+    };
+    const std::uint64_t small = here.peak_memory(as("npy", {"-o", "out"}));
+    const std::uint64_t large = here.peak_memory(as("svg", {"-o", "out"}));
+    const std::uint64_t planned = planned_memory(here.run(as("svg", {"--plan"})).out);
+    ASSERT_GT(planned, std::uint64_t{64} << 20);
+    EXPECT_LE(large - std::min(small, large), planned + planned * 15 / 100);
+}
 #endif
+
+TEST_F(Subdivide, APictureSaysHowManyStepsItShows) {
+    const std::vector<std::string> coast{
+        "data/curves/iceland-coast.csv", "-d", "3", "--closed", "--word", "LS", "--repeat", "--format", "svg", "-n"};
+    const auto picture = [&](const std::string& steps) {
+        auto line = coast;
+        line.push_back(steps);
+        return run(line).out;
+    };
+    EXPECT_THAT(picture("2"), ::testing::Not(HasSubstr("Drawn after")));
+    const std::string many = picture("12");
+    EXPECT_THAT(many, HasSubstr("Drawn after 6 of 12 steps"));
+    EXPECT_THAT(here.run({"limits"}).out, HasSubstr("points of a curve in a picture"));
+    // The same curve: the last picture is that of six steps, but for its title, its metadata and the remark.
+    const auto limit = [](const std::string& svg) {
+        const std::size_t start = svg.find("<g id=\"limit\"");
+        return svg.substr(start, svg.find("</g>", start) - start);
+    };
+    EXPECT_EQ(limit(many), limit(picture("6")));
+}
 
 TEST_F(Subdivide, LimitHasTheParameterAsAColumn) {
     const Outcome limit = run({"square.csv", "-d", "2", "-n", "1", "--clamped", "--word", "LS", "--limit"});
@@ -187,6 +245,18 @@ TEST_F(Subdivide, DerivativesAreMoreColumnsOfTheLimit) {
     EXPECT_THAT(stop.out, HasSubstr("\n0,0,0,0,0,2,2,,,\n")) << "no tangent where the curve stops";
     here.file("far.csv", "0,0\n1e300,1e308\n1,1\n");
     EXPECT_EQ(frames_of("far.csv").code, 3);
+}
+
+TEST_F(Subdivide, DerivativesOfALineFarAwayDoNotBend) {
+    here.file("line.csv", "1310003.1,6123456.7\n1310002.6,6123456.7\n1310001.9,6123456.7\n1310000.8,6123456.7\n"
+                          "1310000.2,6123456.7\n1309999.9,6123456.7\n");
+    const Outcome frames = here.run({"subdivide", "@bisection", "line.csv", "-d", "3", "-n", "8", "--clamped", "--word",
+                                     "AAA", "--limit", "--derivatives"});
+    ASSERT_EQ(frames.code, 0) << frames.err;
+    std::size_t straight = 0;
+    for (std::size_t at = frames.out.find(",-1,0,"); at != std::string::npos; at = frames.out.find(",-1,0,", at + 1))
+        straight += frames.out.substr(at + 6, 2) == "0\n" || frames.out.substr(at + 6, 3) == "-0\n" ? 1 : 0;
+    EXPECT_EQ(straight, 3U * 256 + 1) << "unit tangent -1 0 and curvature 0 in every row";
 }
 
 TEST_F(Subdivide, DerivativesInNpyAreTheSameColumns) {

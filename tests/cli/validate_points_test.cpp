@@ -36,7 +36,8 @@ TEST(ValidatePoints, LooksAtTheConstantsThatAreSet) {
                              "P(u) < P(v) > P(p) P(q) -> P(v) P(-w u + (1/2 + w) v + (1/2 + w) p - w q)";
     EXPECT_THAT(here.run({"validate", "-e", four, "--set", "w=1/8"}).out,
                 HasSubstr("4-point scheme with tension w = 1/8"));
-    EXPECT_THAT(here.run({"validate", "@s0/25", "--json", "-q"}).out, HasSubstr("validate @s0/25 --json -q\""));
+    EXPECT_THAT(here.run({"validate", "@s0/25", "--json", "--color", "never"}).out,
+                HasSubstr("validate @s0/25 --json --color never\""));
     EXPECT_THAT(here.run({"validate", "@s1/14-16", "--set", "t=1/3", "--json"}).out,
                 HasSubstr("validate @s1/14-16 --set 't=1/3' --json\""));
     EXPECT_EQ(here.run({"validate", "-e", four, "--set", "v=1/8"}).code, 2);

@@ -8,7 +8,7 @@
 #include "internode/curve/refinement.h"
 #include "internode/io/file/input_file.h"
 #include "internode/io/obj/free_form_input.h"
-#include "tests/reference/random_curve.h"
+#include "tests/fixtures/random_curve.h"
 #include "tests/fixtures/source_folder.h"
 
 #include <algorithm>
@@ -71,7 +71,7 @@ CheckedCurve curve_with_knots(const InputPolygon& polygon) {
     const int degree = static_cast<int>(polygon.degree.value());
     KnotVector vector{.degree = degree, .ends = Ends::Open, .points = polygon.size(), .knots = {}};
     for (const InputNumber& knot : *polygon.knots) vector.knots.emplace_back(knot.front());
-    const FittedKnots fitted = fit_knots(reference::system_with({"AA"}), vector);
+    const FittedKnots fitted = fit_knots(tests::system_with({"AA"}), vector);
     if (!fitted.fitted) return {{}, fitted.problems};
     std::vector<double> points = homogeneous(polygon.points, polygon.dimension, polygon.weights);
     return make_curve(fitted.fitted->system,
@@ -88,7 +88,7 @@ void expect_clear_answer(std::string_view text) {
 }
 
 TEST(BundledCurves, AreReadAndCanBeRefined) {
-    const IntervalSystem fibonacci = reference::fibonacci();
+    const IntervalSystem fibonacci = tests::fibonacci();
     std::size_t with_word = 0;
     for (const BundledCurve& curve : bundled_curves()) {
         SCOPED_TRACE(curve.name);

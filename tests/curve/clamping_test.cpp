@@ -2,8 +2,8 @@
 
 #include "internode/curve/clamping.h"
 
+#include "tests/fixtures/random_curve.h"
 #include "tests/reference/de_boor.h"
-#include "tests/reference/random_curve.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -12,14 +12,14 @@
 namespace internode {
 namespace {
 
-using reference::curve_of;
 using reference::DeBoorCurve;
-using reference::fibonacci;
-using reference::Random;
-using reference::random_curve;
-using reference::random_system;
 using reference::Real;
-using reference::Shape;
+using tests::curve_of;
+using tests::fibonacci;
+using tests::Random;
+using tests::random_curve;
+using tests::random_system;
+using tests::Shape;
 
 /// The largest distance of two curves over one domain, at places inside every interval.
 Real difference(const Curve& a, const Curve& b) {

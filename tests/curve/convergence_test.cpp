@@ -7,8 +7,8 @@
 #include "internode/grammar/bundled.h"
 #include "internode/grammar/intervals/parse.h"
 #include "internode/spline/blossom.h"
+#include "tests/fixtures/random_curve.h"
 #include "tests/reference/de_boor.h"
-#include "tests/reference/random_curve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,12 +19,12 @@
 namespace internode {
 namespace {
 
-using reference::curve_of;
-using reference::fibonacci;
-using reference::Random;
-using reference::random_curve;
-using reference::Shape;
-using reference::system_with;
+using tests::curve_of;
+using tests::fibonacci;
+using tests::Random;
+using tests::random_curve;
+using tests::Shape;
+using tests::system_with;
 
 ConvergenceOptions after(int steps, std::optional<double> tolerance = std::nullopt) {
     ConvergenceOptions options;

@@ -2,7 +2,7 @@
 
 #include "internode/curve/curve.h"
 
-#include "tests/reference/random_curve.h"
+#include "tests/fixtures/random_curve.h"
 
 #include <gmock/gmock.h>
 #include <limits>
@@ -10,10 +10,10 @@
 namespace internode {
 namespace {
 
-using reference::fibonacci;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using tests::fibonacci;
 
 constexpr Symbol a{0};
 constexpr Symbol b{1};
@@ -129,7 +129,7 @@ TEST(Curve, RefusesALetterOfAnotherAlphabet) {
 }
 
 TEST(Curve, RefusesALetterThatTheAxiomNeverProduces) {
-    IntervalGrammar grammar = reference::grammar_of(Morphism({{a, a}, {b, b}}));
+    IntervalGrammar grammar = tests::grammar_of(Morphism({{a, a}, {b, b}}));
     grammar.axiom = Axiom{{a, a}, Ends::Circular};
     const Verdict verdict = validate(grammar);
     ASSERT_TRUE(verdict.system.has_value());
@@ -138,7 +138,7 @@ TEST(Curve, RefusesALetterThatTheAxiomNeverProduces) {
 }
 
 TEST(Curve, RefusesLengthsThatDoublesCannotCarry) {
-    IntervalGrammar grammar = reference::grammar_of(Morphism({{a, a}, {b, b}}));
+    IntervalGrammar grammar = tests::grammar_of(Morphism({{a, a}, {b, b}}));
     grammar.lengths = {{a, *parse_rational("1e-300")}, {b, *parse_rational("1")}};
     const Verdict verdict = validate(grammar);
     ASSERT_TRUE(verdict.system.has_value());

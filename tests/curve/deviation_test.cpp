@@ -2,7 +2,7 @@
 
 #include "internode/curve/deviation.h"
 
-#include "tests/reference/random_curve.h"
+#include "tests/fixtures/random_curve.h"
 
 #include <gmock/gmock.h>
 
@@ -12,7 +12,7 @@ namespace {
 using ::testing::DoubleEq;
 using ::testing::ElementsAre;
 
-std::vector<double> random_lengths(reference::Random& random, std::size_t degree) {
+std::vector<double> random_lengths(tests::Random& random, std::size_t degree) {
     std::vector<double> lengths(2 * degree - 1);
     for (double& length : lengths) length = random.below(4) == 0 ? 0 : random.coordinate() + 1.1;
     lengths[degree - 1] = random.coordinate() + 1.1;
@@ -42,7 +42,7 @@ TEST(Deviation, UniformQuadraticsDeviateByAnEighthOfTheSecondDifference) {
 }
 
 TEST(Deviation, PiecesFillTheIntervalWithoutAbscissaeInside) {
-    reference::Random random(1);
+    tests::Random random(1);
     for (std::size_t degree = 2; degree <= 12; ++degree)
         for (int time = 0; time < 20; ++time) {
             const std::vector<double> lengths = random_lengths(random, degree);
@@ -59,7 +59,7 @@ TEST(Deviation, PiecesFillTheIntervalWithoutAbscissaeInside) {
 }
 
 TEST(Deviation, IsNeverNegativeAtTheEndsOfItsPieces) {
-    reference::Random random(2);
+    tests::Random random(2);
     for (std::size_t degree = 2; degree <= 12; ++degree)
         for (int time = 0; time < 20; ++time)
             for (const DeviationPiece& piece : deviation_pieces(random_lengths(random, degree)))
@@ -70,7 +70,7 @@ TEST(Deviation, IsNeverNegativeAtTheEndsOfItsPieces) {
 }
 
 TEST(Deviation, ContinuesFromPieceToPiece) {
-    reference::Random random(3);
+    tests::Random random(3);
     for (std::size_t degree = 2; degree <= 8; ++degree) {
         const std::vector<DeviationPiece> pieces = deviation_pieces(random_lengths(random, degree));
         for (std::size_t p = 1; p < pieces.size(); ++p)

@@ -3,8 +3,9 @@
 #include "internode/curve/distance.h"
 
 #include "internode/curve/refinement.h"
+#include "tests/fixtures/random_curve.h"
+#include "tests/fixtures/stride.h"
 #include "tests/reference/de_boor.h"
-#include "tests/reference/random_curve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,16 +14,16 @@
 namespace internode {
 namespace {
 
-using reference::all_shapes;
-using reference::curve_of;
 using reference::DeBoorCurve;
-using reference::fibonacci;
-using reference::Random;
-using reference::random_curve;
-using reference::random_system;
 using reference::Real;
-using reference::Shape;
-using reference::system_with;
+using tests::all_shapes;
+using tests::curve_of;
+using tests::fibonacci;
+using tests::Random;
+using tests::random_curve;
+using tests::random_system;
+using tests::Shape;
+using tests::system_with;
 
 constexpr Symbol a{0};
 constexpr Symbol b{1};
@@ -89,11 +90,7 @@ TEST(PolygonDistance, IsTheSupremumOfDenseSamples) {
 
 TEST(PolygonDistance, NeverLeavesTheEnvelope) {
     Random random(3);
-#ifdef INTERNODE_SANITIZED
-    constexpr int times = 100;
-#else
-    constexpr int times = 1000;
-#endif
+    const int times = tests::times(1000, 20);
     double tightest = INFINITY;
     for (int time = 0; time < times; ++time) {
         const int degree = 2 + static_cast<int>(random.below(5));

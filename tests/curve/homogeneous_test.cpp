@@ -4,7 +4,7 @@
 
 #include "internode/curve/knot_vector.h"
 #include "internode/curve/limit.h"
-#include "tests/reference/random_curve.h"
+#include "tests/fixtures/random_curve.h"
 
 #include <cmath>
 #include <gmock/gmock.h>
@@ -71,10 +71,10 @@ double worst_radius(const std::vector<double>& rows) {
 
 void expect_circle(const KnotVector& knots) {
     for (const auto& rules : {"AA", "AAA"}) {
-        const FittedKnots fitted = fit_knots(reference::system_with({rules}), knots);
+        const FittedKnots fitted = fit_knots(tests::system_with({rules}), knots);
         ASSERT_TRUE(fitted.fitted) << fitted.problems.front();
-        const Curve curve = reference::curve_of(fitted.fitted->system,
-                                                {2, knots.ends, fitted.fitted->word, 3, circle_rows(knots.points)});
+        const Curve curve =
+            tests::curve_of(fitted.fitted->system, {2, knots.ends, fitted.fitted->word, 3, circle_rows(knots.points)});
         Refinement refinement(curve);
         const int steps = rules[2] == '\0' ? 10 : 6;
         for (int step = 0; step < steps; ++step) refinement.step();

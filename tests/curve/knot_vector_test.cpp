@@ -4,9 +4,11 @@
 
 #include "internode/curve/knot_vector.h"
 
+#include "internode/algebra/fraction.h"
 #include "internode/curve/refinement.h"
+#include "tests/fixtures/random_curve.h"
+#include "tests/fixtures/stride.h"
 #include "tests/reference/de_boor.h"
-#include "tests/reference/random_curve.h"
 
 #include <cmath>
 #include <gmock/gmock.h>
@@ -15,17 +17,13 @@ namespace internode {
 namespace {
 
 using reference::DeBoorCurve;
-using reference::Random;
 using reference::Real;
-using reference::system_with;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using tests::Random;
+using tests::system_with;
 
-#ifdef INTERNODE_SANITIZED
-constexpr int repetitions = 2;
-#else
-constexpr int repetitions = 40;
-#endif
+const int repetitions = tests::times(40, 2);
 
 constexpr Symbol a{0};
 constexpr Symbol b{1};
@@ -110,7 +108,7 @@ TEST(KnotVector, AGrammarFitsAtOneScale) {
 }
 
 TEST(KnotVector, AGrammarFitsInItsField) {
-    const IntervalSystem fibonacci = reference::fibonacci();
+    const IntervalSystem fibonacci = tests::fibonacci();
     const Number phi = fibonacci.ratio();
     const Number scale(Rational(2, 7));
     KnotVector knots;
@@ -126,7 +124,7 @@ TEST(KnotVector, AGrammarFitsInItsField) {
 }
 
 TEST(KnotVector, LengthsThatAreSaidSettleTheScale) {
-    const IntervalSystem fibonacci = reference::fibonacci();
+    const IntervalSystem fibonacci = tests::fibonacci();
     KnotVector knots = closed(2, 2, {"0", "1", "2"});
     expect_refused(fibonacci, knots, "2 scales");
     knots.fixed = {b}; // S = 1, as the system has it
@@ -146,7 +144,7 @@ TEST(KnotVector, FreeLengthsAndEqualLengthsAreAmbiguous) {
 
 TEST(KnotVector, IntervalsThatNoScaleFitsAreNamed) {
     expect_refused(system_with({"AB", "BBB"}), closed(2, 2, {"0", "1", "4"}), "1, 3 are not lengths of the grammar");
-    expect_refused(reference::fibonacci(), closed(2, 2, {"0", "1", "2.618"}), "1, 809/500 are not lengths");
+    expect_refused(tests::fibonacci(), closed(2, 2, {"0", "1", "2.618"}), "1, 809/500 are not lengths");
 }
 
 TEST(KnotVector, RefusesAnotherNumberOfKnots) {
@@ -191,14 +189,11 @@ KnotVector random_knots(Random& random, int degree, bool is_closed) {
     const std::size_t count = is_closed ? knots.points + 1 : knots.points + (random.below(2) == 0 ? d + 1 : d - 1);
     const bool clamp = !is_closed && random.below(2) == 0;
     const std::size_t still = clamp ? (count == knots.points + d + 1 ? d : d - 1) : 0; // empty intervals at each end
-    Rational knot(static_cast<long>(random.below(7)), 3);
-    knot.canonicalize();
+    Rational knot = fraction(static_cast<long>(random.below(7)), 3);
     for (std::size_t i = 0; i < count; ++i) {
         knots.knots.emplace_back(knot);
         if (i < still || i + 1 + still >= count || random.below(4) == 0) continue;
-        Rational step(static_cast<long>(1 + random.below(9)), static_cast<long>(1 + random.below(3)));
-        step.canonicalize();
-        knot += step;
+        knot += fraction(static_cast<long>(1 + random.below(9)), static_cast<long>(1 + random.below(3)));
     }
     return knots;
 }
@@ -260,7 +255,7 @@ TEST(KnotVector, GivesTheCurveOfItsKnots) {
                 ++accepted;
                 CurveData data{degree, knots.ends, word.fitted->word, 1, {}};
                 for (std::size_t k = 0; k < knots.points; ++k) data.points.push_back(random.coordinate());
-                const Curve curve = reference::curve_of(word.fitted->system, data);
+                const Curve curve = tests::curve_of(word.fitted->system, data);
                 const DeBoorCurve truth = on_its_own_knots(knots, data.points);
                 EXPECT_LE(difference(truth, reference::de_boor_curve(curve)), 1e-12);
                 EXPECT_LE(difference(truth, reference::de_boor_curve(refine(curve, 2))), 1e-12) << degree << is_closed;

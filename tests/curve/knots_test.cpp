@@ -4,7 +4,7 @@
 
 #include "internode/curve/curve.h"
 #include "internode/curve/refinement.h"
-#include "tests/reference/random_curve.h"
+#include "tests/fixtures/random_curve.h"
 
 #include <gmock/gmock.h>
 #include <limits>
@@ -13,10 +13,10 @@
 namespace internode {
 namespace {
 
-using reference::fibonacci;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using tests::fibonacci;
 
 constexpr Symbol a{0};
 constexpr Symbol b{1};

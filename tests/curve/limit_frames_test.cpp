@@ -2,8 +2,8 @@
 
 #include "internode/curve/frame.h"
 #include "internode/curve/limit.h"
+#include "tests/fixtures/random_curve.h"
 #include "tests/reference/de_boor.h"
-#include "tests/reference/random_curve.h"
 
 #include <gmock/gmock.h>
 
@@ -13,12 +13,12 @@
 namespace internode {
 namespace {
 
-using reference::all_shapes;
 using reference::DeBoorCurve;
-using reference::fibonacci;
-using reference::Random;
-using reference::random_curve;
-using reference::Shape;
+using tests::all_shapes;
+using tests::fibonacci;
+using tests::Random;
+using tests::random_curve;
+using tests::Shape;
 
 constexpr Symbol a{0};
 constexpr Symbol b{1};
@@ -28,6 +28,10 @@ Refinement refined(const Curve& curve, int steps) {
     Refinement refinement(curve);
     for (int step = 0; step < steps; ++step) refinement.step();
     return refinement;
+}
+
+LimitFrames frames_of(const Curve& curve, int steps) {
+    return limit_frames(curve, refined(curve, steps));
 }
 
 /// Value and two derivatives of a curve at the ends of its pieces, by de Boor.
@@ -62,8 +66,9 @@ void expect_frame(const LimitFrames& frames, std::size_t row, const Slow& slow, 
 }
 
 /// Every row of the frames, walking through the non-empty intervals of the reference.
-void expect_derivatives_of_de_boor(const Refinement& refinement) {
-    const LimitFrames frames = limit_frames(refinement);
+void expect_derivatives_of_de_boor(const Curve& given, int steps) {
+    const Refinement refinement = refined(given, steps);
+    const LimitFrames frames = limit_frames(given, refinement);
     const DeBoorCurve curve = reference::de_boor_curve(refinement.curve());
     const Slow slow(curve);
     reference::Real shortest = 1e9L;
@@ -93,28 +98,28 @@ TEST(LimitFrames, AreTheDerivativesOfDeBoor) {
     for (int degree = 1; degree <= 6; ++degree)
         for (const Shape shape : all_shapes)
             for (const std::size_t dimension : {1U, 2U, 3U})
-                expect_derivatives_of_de_boor(
-                    refined(random_curve(random, fibonacci(), degree, shape, 4, dimension), 2));
+                expect_derivatives_of_de_boor(random_curve(random, fibonacci(), degree, shape, 4, dimension), 2);
 }
 
 TEST(LimitFrames, AreTheDerivativesOfDeBoorForRandomGrammars) {
     Random random(12);
     for (int i = 0; i < 60; ++i) {
-        const IntervalSystem system = reference::random_system(random);
+        const IntervalSystem system = tests::random_system(random);
         const auto degree = static_cast<int>(1 + random.below(6));
         const Shape shape = all_shapes[random.below(6)];
         SCOPED_TRACE(i);
-        expect_derivatives_of_de_boor(
-            refined(random_curve(random, system, degree, shape, 3, 2), static_cast<int>(random.below(3))));
+        const Curve curve = random_curve(random, system, degree, shape, 3, 2);
+        expect_derivatives_of_de_boor(curve, static_cast<int>(random.below(3)));
     }
 }
 
 TEST(LimitFrames, HaveThePointsOfLimitPoints) {
     Random random(13);
     for (const Shape shape : all_shapes) {
-        const Refinement refinement = refined(random_curve(random, fibonacci(), 3, shape, 4, 2), 2);
+        const Curve curve = random_curve(random, fibonacci(), 3, shape, 4, 2);
+        const Refinement refinement = refined(curve, 2);
         const LimitPoints points = limit_points(refinement);
-        const LimitFrames frames = limit_frames(refinement);
+        const LimitFrames frames = limit_frames(curve, refinement);
         EXPECT_EQ(frames.limit.parameters, points.parameters);
         EXPECT_EQ(frames.limit.points, points.points);
         EXPECT_EQ(frames.limit.break_before, points.break_before);
@@ -132,9 +137,9 @@ TEST(LimitFrames, OfAParabolaAreKnownAtEveryStep) {
         data.points.push_back(((knots[k + 1] + knots[k + 2]) / 2).to_double());
         data.points.push_back((knots[k + 1] * knots[k + 2]).to_double());
     }
-    const Curve parabola = reference::curve_of(system, data);
+    const Curve parabola = tests::curve_of(system, data);
     for (int steps = 0; steps <= 5; ++steps) {
-        const LimitFrames frames = limit_frames(refined(parabola, steps));
+        const LimitFrames frames = frames_of(parabola, steps);
         for (std::size_t i = 0; i < frames.limit.parameters.size(); ++i) {
             const double t = frames.limit.parameters[i];
             const double speed = std::sqrt(1 + 4 * t * t);
@@ -161,14 +166,14 @@ TEST(LimitFrames, OfAFineRoundPolygonHaveTheCurvatureOfTheCircle) {
         data.points.push_back(radius * std::cos(angle));
         data.points.push_back(radius * std::sin(angle));
     }
-    const IntervalSystem uniform = reference::system_with({"AA", "BB"});
-    for (const double curvature : limit_frames(Refinement(reference::curve_of(uniform, data))).curvatures)
+    const IntervalSystem uniform = tests::system_with({"AA", "BB"});
+    for (const double curvature : frames_of(tests::curve_of(uniform, data), 0).curvatures)
         EXPECT_NEAR(curvature, 1 / radius, 1e-4);
 }
 
 TEST(LimitFrames, OfDegree1HaveNoSecondDerivative) {
-    const LimitFrames frames = limit_frames(
-        refined(reference::curve_of(fibonacci(), {1, Ends::Circular, {a, b, a}, 2, {0, 0, 3, 4, 1, 7}}), 1));
+    const LimitFrames frames =
+        frames_of(tests::curve_of(fibonacci(), {1, Ends::Circular, {a, b, a}, 2, {0, 0, 3, 4, 1, 7}}), 1);
     EXPECT_THAT(frames.second, testing::Each(0.0));
     EXPECT_THAT(frames.curvatures, testing::Each(0.0));
 }
@@ -177,8 +182,8 @@ TEST(LimitFrames, DoNotChangeUnderRefinement) {
     Random random(14);
     for (const Shape shape : {Shape::Open, Shape::Closed, Shape::ClampedWithZeros}) {
         const Curve curve = random_curve(random, fibonacci(), 4, shape, 5, 2);
-        const LimitFrames coarse = limit_frames(Refinement(curve));
-        const LimitFrames fine = limit_frames(refined(curve, 3));
+        const LimitFrames coarse = frames_of(curve, 0);
+        const LimitFrames fine = frames_of(curve, 3);
         for (std::size_t i = 0, row = 0; i < coarse.limit.parameters.size(); ++i) {
             while (fine.limit.parameters[row] < coarse.limit.parameters[i] - 1e-12) ++row;
             ASSERT_LT(row, fine.limit.parameters.size());
@@ -195,8 +200,8 @@ TEST(LimitFrames, DoNotChangeUnderRefinement) {
 TEST(LimitFrames, HaveNoTangentWhereTheCurveStops) {
     // The first two points of a clamped cubic coincide: its derivative is 0 there.
     const Word word = clamped(Word{b, a}, 3);
-    const LimitFrames frames = limit_frames(
-        Refinement(reference::curve_of(fibonacci(), {3, Ends::Open, word, 2, {1, 1, 1, 1, 2, 3, 4, 0, 5, 5}})));
+    const LimitFrames frames =
+        frames_of(tests::curve_of(fibonacci(), {3, Ends::Open, word, 2, {1, 1, 1, 1, 2, 3, 4, 0, 5, 5}}), 0);
     EXPECT_EQ(frames.first[0], 0);
     EXPECT_TRUE(std::isnan(frames.tangents[0]));
     EXPECT_TRUE(std::isnan(frames.curvatures[0]));
@@ -205,8 +210,8 @@ TEST(LimitFrames, HaveNoTangentWhereTheCurveStops) {
 
 TEST(LimitFrames, AreOneSidedAtABreakAndAtACorner) {
     // Degree 1: left and right of the break differ; at a corner the value from the right counts.
-    const LimitFrames frames = limit_frames(
-        Refinement(reference::curve_of(fibonacci(), {1, Ends::Open, {o, b, o, b, b, o}, 1, {0, 1, 5, 7, 6}})));
+    const LimitFrames frames =
+        frames_of(tests::curve_of(fibonacci(), {1, Ends::Open, {o, b, o, b, b, o}, 1, {0, 1, 5, 7, 6}}), 0);
     EXPECT_THAT(frames.first, testing::ElementsAre(1, 1, 2, -1, -1));
 }
 

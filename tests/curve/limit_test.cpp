@@ -3,8 +3,8 @@
 #include "internode/curve/limit.h"
 
 #include "internode/curve/parameter.h"
+#include "tests/fixtures/random_curve.h"
 #include "tests/reference/de_boor.h"
-#include "tests/reference/random_curve.h"
 
 #include <bit>
 #include <gmock/gmock.h>
@@ -12,13 +12,13 @@
 namespace internode {
 namespace {
 
-using reference::all_shapes;
 using reference::DeBoorCurve;
-using reference::fibonacci;
-using reference::Random;
-using reference::random_curve;
-using reference::Shape;
 using ::testing::ElementsAre;
+using tests::all_shapes;
+using tests::fibonacci;
+using tests::Random;
+using tests::random_curve;
+using tests::Shape;
 
 constexpr Symbol a{0};
 constexpr Symbol b{1};
@@ -31,7 +31,7 @@ Refinement refined(const Curve& curve, int steps) {
 }
 
 Refinement of(CurveData data) {
-    return Refinement(reference::curve_of(fibonacci(), std::move(data)));
+    return Refinement(tests::curve_of(fibonacci(), std::move(data)));
 }
 
 void expect_point(const std::vector<double>& points, std::size_t row, const std::vector<reference::Real>& expected) {

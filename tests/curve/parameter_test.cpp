@@ -4,7 +4,7 @@
 
 #include "internode/curve/refinement.h"
 #include "internode/spline/blossom.h"
-#include "tests/reference/random_curve.h"
+#include "tests/fixtures/random_curve.h"
 
 #include <cmath>
 #include <gmock/gmock.h>
@@ -12,10 +12,10 @@
 namespace internode {
 namespace {
 
-using reference::fibonacci;
-using reference::Random;
-using reference::random_curve;
-using reference::Shape;
+using tests::fibonacci;
+using tests::Random;
+using tests::random_curve;
+using tests::Shape;
 
 /// The exact knots of a curve, 0 where its domain starts; d more letters than points in either case.
 std::vector<Number> exact_knots(const Curve& curve) {
@@ -38,7 +38,7 @@ testing::AssertionResult is_next_to(double value, const Number& exact) {
 
 TEST(KnotPositions, AreExactToAUnitInTheLastPlace) {
     Random random(1);
-    for (const Shape shape : reference::all_shapes) {
+    for (const Shape shape : tests::all_shapes) {
         const Curve curve = refine(random_curve(random, fibonacci(), 3, shape, 8, 1), 7);
         const std::vector<double> positions = knot_positions(curve);
         const std::vector<Number> exact = exact_knots(curve);
@@ -56,7 +56,7 @@ TEST(KnotPositions, TheDomainStartsAt0) {
 TEST(GrevilleAbscissae, AreTheMeansOfDegreeKnots) {
     Random random(3);
     for (int degree = 1; degree <= 6; ++degree)
-        for (const Shape shape : reference::all_shapes) {
+        for (const Shape shape : tests::all_shapes) {
             const Curve curve = refine(random_curve(random, fibonacci(), degree, shape, 4, 1), 3);
             const std::vector<double> abscissae = greville_abscissae(curve);
             const std::vector<Number> exact = exact_knots(curve);

@@ -4,9 +4,11 @@
 
 #include "internode/curve/refinement.h"
 #include "internode/stencil/levels_plan.h"
-#include "tests/reference/random_curve.h"
-#include "tests/reference/small_grammars.h"
-#include "tests/reference/systems.h"
+#include "tests/fixtures/interval_systems.h"
+#include "tests/fixtures/numbers.h"
+#include "tests/fixtures/random_curve.h"
+#include "tests/fixtures/small_grammars.h"
+#include "tests/fixtures/stride.h"
 
 #include <cmath>
 #include <cstring>
@@ -17,19 +19,14 @@
 namespace internode {
 namespace {
 
-using reference::all_shapes;
-using reference::bundled_systems;
-using reference::curve_of;
-using reference::Random;
-using reference::random_curve;
-using reference::small_grammars;
-using reference::system_of;
-
-#ifdef INTERNODE_SANITIZED
-constexpr std::size_t stride = 50;
-#else
-constexpr std::size_t stride = 1;
-#endif
+using tests::all_shapes;
+using tests::bundled_systems;
+using tests::curve_of;
+using tests::largest_difference;
+using tests::Random;
+using tests::random_curve;
+using tests::small_grammars;
+using tests::system_of;
 
 /// Random points over a word that goes round, or with d zeros at each end.
 Curve curve_over(const IntervalSystem& system, int degree, Ends ends, std::size_t letters, std::size_t dimension,
@@ -68,13 +65,6 @@ bool same_bytes(const std::vector<double>& a, const std::vector<double>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
-    EXPECT_EQ(a.size(), b.size());
-    double worst = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) worst = std::max(worst, std::abs(a[i] - b[i]));
-    return worst;
-}
-
 /// Fuses as much as it can, however small the curve.
 PlanOptions eager() {
     PlanOptions options;
@@ -90,22 +80,29 @@ PlanOptions single_steps() {
     return options;
 }
 
-TEST(Plan, IsTheStepByStepRefinementForAllSmallGrammars) {
-    std::size_t taken = 0;
-    std::uint32_t seed = 0;
-    for (const IntervalGrammar& grammar : small_grammars(3, 3)) {
-        if (taken++ % stride != 0) continue;
-        const Verdict verdict = validate(grammar);
+/// The grammars in shares, so that several run side by side.
+constexpr std::size_t shares = 4;
+
+class PlanOfSmallGrammars : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(PlanOfSmallGrammars, IsTheStepByStepRefinement) {
+    const std::vector<IntervalGrammar> grammars = small_grammars(3, 3);
+    const std::size_t step = tests::stride(shares);
+    std::size_t valid = 0;
+    for (std::size_t i = GetParam(); i < grammars.size(); i += step) {
+        const Verdict verdict = validate(grammars[i]);
         if (!verdict.system) continue;
-        ++seed;
+        const auto seed = static_cast<std::uint32_t>(GetParam() + valid++);
         const Ends ends = seed % 2 == 0 ? Ends::Circular : Ends::Open;
         const Curve curve = curve_over(*verdict.system, 1 + static_cast<int>(seed % 5), ends, 1 + seed % 6, 2, seed);
         const std::vector<double> expected = step_by_step(curve, 3);
-        EXPECT_TRUE(same_bytes(planned(curve, 3, single_steps()), expected)) << "grammar " << taken;
-        EXPECT_LE(largest_difference(planned(curve, 3, eager()), expected), 1e-14) << "grammar " << taken;
+        EXPECT_TRUE(same_bytes(planned(curve, 3, single_steps()), expected)) << "grammar " << i;
+        EXPECT_LE(largest_difference(planned(curve, 3, eager()), expected), 1e-14) << "grammar " << i;
     }
-    EXPECT_GT(seed, 4000U / stride);
+    EXPECT_GT(valid, grammars.size() / step / 4);
 }
+
+INSTANTIATE_TEST_SUITE_P(All, PlanOfSmallGrammars, testing::Range(std::size_t{0}, shares));
 
 TEST(Plan, IsTheStepByStepRefinementForRandomCurves) {
     Random random(3);
@@ -113,7 +110,7 @@ TEST(Plan, IsTheStepByStepRefinementForRandomCurves) {
         for (const auto& shape : all_shapes) {
             const int degree = 1 + static_cast<int>(random.below(6));
             const Curve curve =
-                random_curve(random, reference::random_system(random), degree, shape, 6, 1 + random.below(5));
+                random_curve(random, tests::random_system(random), degree, shape, 6, 1 + random.below(5));
             const std::vector<double> expected = step_by_step(curve, 4);
             EXPECT_TRUE(same_bytes(planned(curve, 4, single_steps()), expected));
             EXPECT_LE(largest_difference(planned(curve, 4), expected), 1e-13);
@@ -252,7 +249,7 @@ TEST(LevelsPlan, GivesEveryLevelOfTheStepByStepRefinement) {
     for (int time = 0; time < 20; ++time)
         for (const auto& shape : all_shapes) {
             const int degree = 1 + static_cast<int>(random.below(6));
-            const Curve curve = random_curve(random, reference::random_system(random), degree, shape, 6, 2);
+            const Curve curve = random_curve(random, tests::random_system(random), degree, shape, 6, 2);
             for (const PlanOptions& options : {PlanOptions{}, eager(), single_steps()}) {
                 const LevelsPlan plan(curve.system(), degree, curve.word(), curve.ends(), 4, options);
                 std::vector<double> out(plan.output_size() * 2);

@@ -3,9 +3,10 @@
 #include "internode/curve/refinement.h"
 
 #include "internode/curve/parameter.h"
+#include "tests/fixtures/interval_systems.h"
+#include "tests/fixtures/random_curve.h"
+#include "tests/fixtures/stride.h"
 #include "tests/reference/de_boor.h"
-#include "tests/reference/random_curve.h"
-#include "tests/reference/systems.h"
 
 #include <cmath>
 #include <functional>
@@ -14,25 +15,21 @@
 namespace internode {
 namespace {
 
-using reference::all_shapes;
-using reference::curve_of;
 using reference::DeBoorCurve;
-using reference::fibonacci;
-using reference::Random;
-using reference::random_curve;
-using reference::random_system;
 using reference::Real;
-using reference::Shape;
-using reference::system_with;
 using ::testing::ElementsAre;
+using tests::all_shapes;
+using tests::curve_of;
+using tests::fibonacci;
+using tests::Random;
+using tests::random_curve;
+using tests::random_system;
+using tests::Shape;
+using tests::system_with;
 
-#ifdef INTERNODE_SANITIZED
-constexpr int repetitions = 1;
-constexpr std::uint64_t max_predicted = 100'000; // points
-#else
-constexpr int repetitions = 2;
-constexpr std::uint64_t max_predicted = 20'000'000; // all twelve steps of every bundled grammar
-#endif
+const int repetitions = tests::times(2);
+/// Points: all twelve steps of every bundled grammar, or fewer.
+const std::uint64_t max_predicted = tests::in_full() ? 20'000'000 : 100'000;
 
 constexpr Symbol a{0};
 constexpr Symbol b{1};
@@ -56,11 +53,13 @@ Real difference(const DeBoorCurve& coarse, const DeBoorCurve& fine) {
 
 void for_random_curves(std::uint32_t seed, int times, const std::function<void(const Curve&, Random&)>& check) {
     Random random(seed);
+    tests::Compared compared;
     for (int time = 0; time < times; ++time)
         for (int degree = 1; degree <= 6; ++degree)
             for (const Shape shape : all_shapes) {
                 const IntervalSystem system = random_system(random);
                 check(random_curve(random, system, degree, shape, 1 + random.below(6), 1 + random.below(3)), random);
+                ++compared;
             }
 }
 
@@ -122,7 +121,7 @@ TEST(Refinement, PredictsItsSizeUpTo12Steps) {
 }
 
 TEST(Refinement, PredictsItsSizeForEveryBundledGrammar) {
-    for (const auto& [name, system] : reference::bundled_systems()) {
+    for (const auto& [name, system] : tests::bundled_systems()) {
         Word letters;
         for (std::size_t i = 0; i < system.alphabet().size(); ++i) letters.push_back(to_symbol(i));
         for (const Ends ends : {Ends::Open, Ends::Circular}) {
@@ -237,7 +236,7 @@ TEST(Refinement, ReproducesGrevilleAbscissae) {
 TEST(Refinement, TwoStepsAreOneStepOfTheSquare) {
     for (const auto& rules : std::vector<std::vector<std::string>>{{"BA", "A"}, {"AAB", "A"}, {"AB", "AC", "A"}}) {
         const IntervalSystem system = system_with(rules);
-        const Verdict squared = validate(reference::grammar_of(power(system.rules(), 2)));
+        const Verdict squared = validate(tests::grammar_of(power(system.rules(), 2)));
         ASSERT_TRUE(squared.system.has_value());
         Random random(10);
         const int highest = system.field().degree() > 2 || repetitions == 1 ? 3 : 6;

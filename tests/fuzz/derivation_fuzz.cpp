@@ -4,7 +4,10 @@
 // their limits, what was predicted is what comes, all numbers are finite, and everything is the same the second time.
 
 #include "internode/grammar/points/parse_points.h"
+#include "internode/point/growth.h"
 #include "internode/point/interpreter.h"
+#include "internode/point/start_word.h"
+#include "internode/point/strands.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 // Any bytes are a point grammar or have errors with a place; what is a grammar survives printing and reading, and its
 // places are in the text.
 
+#include "internode/grammar/lexing/grammar_kind.h"
 #include "internode/grammar/points/parse_points.h"
 #include "internode/grammar/points/print_points.h"
 

@@ -3,6 +3,7 @@
 // Any text as a pyramid: refused with a place, or read; and a small one is refused with a sentence or put together to
 // as many points as it says.
 
+#include "internode/input/settled_pyramid.h"
 #include "internode/io/json/pyramid_json.h"
 #include "internode/text/diagnostic.h"
 
@@ -35,11 +36,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(parsed.pyramid.has_value() == parsed.errors.empty());
     if (!parsed.pyramid) require(!to_string(parsed.errors).empty());
     if (!parsed.pyramid || !is_small(*parsed.pyramid)) return 0;
-    const CheckedPyramid checked = checked_pyramid(*parsed.pyramid);
-    require(checked.pyramid.has_value() == checked.problems.empty());
-    if (!checked.pyramid || (!checked.pyramid->levels.empty() && checked.pyramid->levels.back().points > 500)) return 0;
+    const Settled<Pyramid> settled = settle_pyramid(*parsed.pyramid);
+    require(settled.value.has_value() == settled.refusal.errors.empty());
+    if (!settled.value || (!settled.value->levels.empty() && settled.value->levels.back().points > 500)) return 0;
     const std::size_t points =
-        checked.pyramid->levels.empty() ? checked.pyramid->coarse.size() : checked.pyramid->levels.back().points;
-    require(synthesise(*checked.pyramid).back().size() == points * checked.pyramid->coarse.dimension());
+        settled.value->levels.empty() ? settled.value->coarse.size() : settled.value->levels.back().points;
+    require(synthesise(*settled.value).back().size() == points * settled.value->coarse.dimension());
     return 0;
 }

@@ -7,6 +7,7 @@
 #include "internode/grammar/intervals/print.h"
 #include "internode/grammar/points/parse_points.h"
 #include "internode/grammar/points/print_points.h"
+#include "tests/fixtures/stride.h"
 
 #include <gtest/gtest.h>
 
@@ -56,11 +57,7 @@ constexpr std::string_view rich_points =
     "l: # E < P(v) > E:v.x \xE2\x89\xA4 1 and not (f(v.y, 2) = 1) -> P(-1/16 \xC2\xB7 v) : 2\nE -> \xCE\xB5\n"
     "cycle p^(2 t)\ninterpretation\nP(v) \xE2\x86\x92 L(v, v/2 * 3)";
 
-#ifdef INTERNODE_SANITIZED
-constexpr std::size_t point_texts = 3;
-#else
-constexpr std::size_t point_texts = 40;
-#endif
+const auto point_texts = static_cast<std::size_t>(tests::times(40, 3));
 
 /// The shortest of the bundled ones, and the rich one.
 std::vector<std::string_view> texts_of_points() {
@@ -139,11 +136,7 @@ TEST(Damage, RandomPiecesOfPointGrammarsAreReadOrRefusedWithAPlace) {
                                           "P(v)->P(v)\n",
                                           "interpretation\n"};
     std::mt19937 draw(6);
-#ifdef INTERNODE_SANITIZED
-    constexpr int rounds = 3'000;
-#else
-    constexpr int rounds = 30'000;
-#endif
+    const int rounds = tests::times(30'000);
     for (int round = 0; round < rounds; ++round) {
         std::string text = "points\n";
         for (std::size_t i = draw() % 25; i > 0; --i) text += pieces[draw() % pieces.size()];
@@ -180,11 +173,7 @@ TEST(Damage, RandomPiecesOfTheLanguageAreReadOrRefusedWithAPlace) {
         "^",  " ",    "//", "\"", "=",          "3/2",          "axiom ",   "length ",   "ring", "\\u{e9}",
         "\t", "\xFF", ":",  "<",  "intervals ", "\xE2\x86\x92", "\xCE\xB5", "L -> S L\n"};
     std::mt19937 draw(5);
-#ifdef INTERNODE_SANITIZED
-    constexpr int rounds = 3'000;
-#else
-    constexpr int rounds = 30'000;
-#endif
+    const int rounds = tests::times(30'000);
     for (int round = 0; round < rounds; ++round) {
         std::string text;
         for (std::size_t i = draw() % 25; i > 0; --i) text += pieces[draw() % pieces.size()];

@@ -5,6 +5,7 @@
 
 #include "internode/grammar/points/parse_points.h"
 #include "internode/grammar/points/print_points.h"
+#include "tests/fixtures/stride.h"
 
 #include <gtest/gtest.h>
 
@@ -236,13 +237,8 @@ private:
     std::mt19937 draw_;
 };
 
-#ifdef INTERNODE_SANITIZED
-constexpr std::size_t all_up_to = 5;
-constexpr int drawn = 1'000;
-#else
-constexpr std::size_t all_up_to = 7;
-constexpr int drawn = 20'000;
-#endif
+const std::size_t all_up_to = tests::in_full() ? 7 : 5;
+const int drawn = tests::times(20'000);
 
 } // namespace
 

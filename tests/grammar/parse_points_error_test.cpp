@@ -194,6 +194,7 @@ TEST(ParsePointsError, OfBrackets) {
     expect_errors_after_kind({
         {"P(v) -> P((v + 1) P(v", "2:10 `(` is never closed\n"},
         {"P(v] -> P(v)", "2:2 `(` is never closed\n"},
+        {"A -> B : (1, 2\n) -> C", "2:10 `(` is never closed\n3:1 `)` is no module\n"},
         {"[ P(v) -> P(v)", "2:1 `[` is never closed\n"},
         {"P(v) -> ] P(v)", "2:9 `]` was never opened\n"},
         {"P(v) -> [ P(v)", "2:9 `[` is never closed\n"},

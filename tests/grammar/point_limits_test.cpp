@@ -7,7 +7,9 @@
 
 #include "internode/grammar/points/parse_points.h"
 #include "internode/grammar/points/print_points.h"
-#include "tests/reference/small_stack.h"
+#include "tests/fixtures/small_stack.h"
+#include "tests/fixtures/stride.h"
+#include "tests/fixtures/texts.h"
 
 #include <gmock/gmock.h>
 
@@ -18,13 +20,7 @@ namespace internode {
 namespace {
 
 using testing::StartsWith;
-
-std::string repeated(std::string_view piece, std::size_t count) {
-    std::string text;
-    text.reserve(piece.size() * count);
-    for (std::size_t i = 0; i < count; ++i) text += piece;
-    return text;
-}
+using tests::repeated;
 
 /// Of the statements after `points`; empty when there is none, and then the normal form is readable too.
 std::string first_error(const std::string& statements) {
@@ -66,6 +62,13 @@ TEST(PointLimits, OfNestingLeaveRoomForTheParenthesesOfTheNormalForm) {
     const std::string refused = "more than 200 levels of parentheses and signs";
     EXPECT_EQ(first_error(rule_with(nested("(v + ", "v/0.5", ")", 199))), "");
     EXPECT_EQ(first_error(rule_with(nested("(v + ", "v/0.5", ")", 200))), refused);
+    // A sign is a level of its own, between the `/` and the fraction.
+    EXPECT_EQ(first_error(rule_with(nested("(v + ", "v/-0.5", ")", 198))), "");
+    EXPECT_EQ(first_error(rule_with(nested("(v + ", "v/-0.5", ")", 199))), refused);
+    EXPECT_EQ(first_error(rule_with(nested("(v + ", "v/--0.5", ")", 197))), "");
+    EXPECT_EQ(first_error(rule_with(nested("(v + ", "v/--0.5", ")", 198))), refused);
+    EXPECT_EQ(first_error(rule_with(nested("(v + ", "v/-2", ")", 199))), "");
+    EXPECT_EQ(first_error(rule_with(nested("(v + ", "v/2", ")", 200))), "");
     const std::string two = "t = 1\nE : (t) < 2 and ";
     EXPECT_EQ(first_error(two + nested("(", "t < 3", ")", 199) + " -> E"), "");
     EXPECT_EQ(first_error(two + nested("(t + ", "t", ")", 199) + " < 3 -> E"), "");
@@ -74,12 +77,8 @@ TEST(PointLimits, OfNestingLeaveRoomForTheParenthesesOfTheNormalForm) {
 }
 
 TEST(PointLimits, ADeepTextIsRefusedWithoutDepth) {
-    reference::run_on_stack(std::size_t{1} << 20, [] {
-#ifdef INTERNODE_SANITIZED
-        constexpr std::size_t many = 100'000;
-#else
-        constexpr std::size_t many = 1'000'000;
-#endif
+    tests::run_on_stack(std::size_t{1} << 20, [] {
+        const auto many = static_cast<std::size_t>(tests::times(1'000'000, 100'000));
         const std::string refused = "more than 200 levels of parentheses and signs";
         for (const std::string_view open : {"(", "-", "abs(", "v (", "min(v, ", "(v, "}) {
             const std::string close = open.back() == '-' ? "" : repeated(")", many);

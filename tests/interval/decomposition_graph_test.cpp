@@ -3,7 +3,8 @@
 #include "internode/interval/decomposition_graph.h"
 
 #include "internode/interval/validity.h"
-#include "tests/interval/grammars.h"
+#include "tests/fixtures/interval_grammars.h"
+#include "tests/fixtures/interval_systems.h"
 
 #include <gmock/gmock.h>
 
@@ -16,12 +17,11 @@ namespace {
 
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
+using tests::make_grammar;
+using tests::system_of;
+using tests::with_axiom;
 
 constexpr std::size_t plenty = 100'000;
-
-IntervalSystem system_of(const IntervalGrammar& grammar) {
-    return validate(grammar).system.value();
-}
 
 const IntervalGrammar fibonacci = make_grammar({{"L", "S L"}, {"S", "L"}});
 

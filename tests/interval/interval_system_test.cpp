@@ -3,7 +3,8 @@
 #include "internode/interval/interval_system.h"
 
 #include "internode/interval/validity.h"
-#include "tests/interval/grammars.h"
+#include "tests/fixtures/interval_grammars.h"
+#include "tests/fixtures/interval_systems.h"
 
 #include <gmock/gmock.h>
 
@@ -14,10 +15,10 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::SizeIs;
-
-IntervalSystem system_of(const IntervalGrammar& grammar) {
-    return validate(grammar).system.value();
-}
+using tests::make_grammar;
+using tests::slow_growth;
+using tests::system_of;
+using tests::with_length;
 
 const IntervalGrammar fibonacci = make_grammar({{"L", "S L"}, {"S", "L"}});
 

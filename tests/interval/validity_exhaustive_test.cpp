@@ -2,7 +2,9 @@
 
 #include "internode/interval/validity.h"
 
-#include "tests/interval/grammars.h"
+#include "tests/fixtures/interval_systems.h"
+#include "tests/fixtures/small_grammars.h"
+#include "tests/fixtures/stride.h"
 #include "tests/reference/slow_validity.h"
 
 #include <gtest/gtest.h>
@@ -13,44 +15,17 @@
 namespace internode {
 namespace {
 
-#ifdef INTERNODE_SANITIZED
-constexpr std::size_t stride = 50;
-#else
-constexpr std::size_t stride = 1;
-#endif
+const std::size_t stride = tests::stride();
 
 using reference::Matrix;
+using tests::grammar_of;
+using tests::short_words;
 
 Matrix incidence(const Morphism& rules) {
     Matrix matrix(rules.size(), std::vector<int>(rules.size()));
     for (std::size_t i = 0; i < rules.size(); ++i)
         for (const Symbol symbol : rules.images()[i]) ++matrix[i][to_index(symbol)];
     return matrix;
-}
-
-IntervalGrammar grammar_of(std::vector<Word> images) {
-    IntervalGrammar grammar;
-    for (std::size_t i = 0; i < images.size(); ++i) grammar.alphabet.add(std::string(1, static_cast<char>('A' + i)));
-    grammar.rules = Morphism(std::move(images));
-    return grammar;
-}
-
-/// All words of 1 … length letters over n symbols.
-std::vector<Word> short_words(std::size_t n, std::size_t length) {
-    std::vector<Word> words;
-    std::vector<Word> last{{}};
-    for (std::size_t size = 1; size <= length; ++size) {
-        std::vector<Word> next;
-        for (const Word& word : last) {
-            for (std::size_t letter = 0; letter < n; ++letter) {
-                next.push_back(word);
-                next.back().push_back(to_symbol(letter));
-            }
-        }
-        words.insert(words.end(), next.begin(), next.end());
-        last = std::move(next);
-    }
-    return words;
 }
 
 /// Calls visit(grammar) for every grammar of n symbols and rules of up to 3 letters; returns how many there are.
@@ -61,7 +36,7 @@ std::size_t for_all_grammars(std::size_t n, const Visit& visit) {
     for (std::size_t count = 0;; ++count) {
         std::vector<Word> images;
         for (const std::size_t index : choice) images.push_back(words[index]);
-        if (count % stride == 0) visit(grammar_of(std::move(images)));
+        if (count % stride == 0) visit(grammar_of(Morphism(std::move(images))));
         std::size_t place = 0;
         while (place < n && ++choice[place] == words.size()) choice[place++] = 0;
         if (place == n) return count + 1;
@@ -127,14 +102,14 @@ IntervalGrammar random_grammar(std::mt19937& random) {
         const std::size_t first = random() % 2 == 0 ? i : 0;
         while (images[i].size() < size) images[i].push_back(to_symbol(first + random() % (n - first)));
     }
-    return grammar_of(std::move(images));
+    return grammar_of(Morphism(std::move(images)));
 }
 
 TEST(ValidityExhaustive, AgreesWithFloatingPointOnRandomGrammars) {
     std::mt19937 random(2012);
     std::size_t undecided = 0;
     std::size_t valid = 0;
-    constexpr std::size_t total = 3000;
+    const std::size_t total = 3000;
     for (std::size_t i = 0; i < total; i += stride) {
         const IntervalGrammar grammar = random_grammar(random);
         const Matrix matrix = incidence(grammar.rules);

@@ -2,7 +2,7 @@
 
 #include "internode/interval/validity.h"
 
-#include "tests/interval/grammars.h"
+#include "tests/fixtures/interval_grammars.h"
 
 #include <cmath>
 #include <gmock/gmock.h>
@@ -13,6 +13,10 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
+using tests::make_grammar;
+using tests::slow_growth;
+using tests::with_axiom;
+using tests::with_length;
 
 std::vector<Number> exact(const std::vector<Quantity>& quantities) {
     std::vector<Number> result;

@@ -3,7 +3,7 @@
 #include "internode/io/npy.h"
 
 #include "internode/io/file/output_file.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/fixtures/temporary_folder.h"
 
 #include <cstring>
 #include <stdexcept>
@@ -40,7 +40,7 @@ TEST(Npy, WritesManyPointsInChunks) {
 TEST(Npy, IsWhatNumpyReads) {
     if (std::system("/usr/bin/python3 -c 'import numpy' 2>/dev/null") != 0)
         GTEST_SKIP() << "/usr/bin/python3 has no numpy: the files are not checked by their own reader";
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     const std::vector<double> coordinates{1, -0.0, 0.1, 5e-324, 1e300, 2};
     OutputFile file(folder / "a.npy");
     ASSERT_TRUE(write_npy(file, {2, coordinates}));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include "internode/io/limits.h"
+#include "internode/io/file/limits.h"
 #include "internode/io/polygon.h"
 
 #include <algorithm>
@@ -58,11 +58,50 @@ TEST(PolygonCsv, TakesTheSeparatorOfTheFirstLine) {
     EXPECT_THAT(refusal("1,\t2\n").message, HasSubstr("`1,` is not a number")) << "a tab before a comma";
 }
 
-TEST(PolygonCsv, PassesOverCommentsBlankLinesAndMarks) {
+TEST(PolygonCsv, PassesOverCommentsMarksAndBlankLinesAtBothEnds) {
     const InputPolygon polygon =
-        read("\xEF\xBB\xBF# comment, 1\r\n\r\nx,y\r\n  \t\r\n1,2\r\n # x\r\n\"3\", 4 \r\n\r\n");
+        read("\xEF\xBB\xBF# comment, 1\r\n\r\nx,y\r\n  \t\r\n1,2\r\n # x\r\n\"3\", 4 \r\n\r\n \r\n");
     EXPECT_THAT(polygon.columns, ElementsAre("x", "y"));
     EXPECT_THAT(polygon.points, ElementsAre(1, 2, 3, 4));
+}
+
+std::vector<InputPolygon> parts(std::string_view text) {
+    ParsedPolygons parsed = read_polygons_csv(text, "p.csv");
+    EXPECT_TRUE(parsed.errors.empty()) << to_string(parsed.errors);
+    return std::move(parsed.polygons);
+}
+
+TEST(PolygonCsv, IsPartedByBlankLines) {
+    const std::vector<InputPolygon> two = parts("x,y\n0,0\n1,1\n \t\n2,2\n# c\n3,3\n4,4\n\n");
+    ASSERT_EQ(two.size(), 2U);
+    EXPECT_THAT(two[0].points, ElementsAre(0, 0, 1, 1));
+    EXPECT_THAT(two[1].points, ElementsAre(2, 2, 3, 3, 4, 4));
+    EXPECT_THAT(two[1].columns, ElementsAre("x", "y"));
+    EXPECT_EQ(two[0].break_text, "");
+    EXPECT_EQ(two[1].break_text, "\n");
+    EXPECT_EQ(two[1].line, 5U);
+    EXPECT_EQ(parts("1,1\n\n\n\n2,2\n")[1].break_text, "\n\n");
+    EXPECT_EQ(parts("x,y\n1,1\n\nx,y\n2,2\n").size(), 2U);
+}
+
+TEST(PolygonCsv, IsPartedByHeads) {
+    const std::vector<InputPolygon> two = parts("> road A\n0\t0\n1\t1\n>\n2\t2\n");
+    ASSERT_EQ(two.size(), 2U);
+    EXPECT_EQ(two[0].break_text, "> road A\n");
+    EXPECT_EQ(two[1].break_text, ">\n");
+    EXPECT_EQ(parts("0,0\n\n> b\n\n2,2\n")[1].break_text, "\n> b\n");
+    EXPECT_EQ(parts("> alone\n0,0\n").size(), 1U);
+}
+
+TEST(PolygonCsv, RefusesAPartWithoutPoints) {
+    const Diagnostic between = refusal("0,0\n> a\n> b\n1,1\n");
+    EXPECT_EQ(between.line, 2U);
+    EXPECT_THAT(between.message, HasSubstr("no point follows"));
+    EXPECT_EQ(refusal("0,0\n> a\n").line, 2U);
+    EXPECT_THAT(refusal("0,0\n\n1\n").message, HasSubstr("the first line has 2"));
+    const Diagnostic second = refusal("0,0\n\n1,1\n");
+    EXPECT_EQ(second.line, 3U);
+    EXPECT_THAT(second.message, HasSubstr("a second polygon"));
 }
 
 TEST(PolygonCsv, KeepsNumbersBitForBit) {

@@ -4,8 +4,8 @@
 
 #include "internode/surface/limit.h"
 #include "internode/surface/refinement.h"
-#include "tests/reference/mesh_files.h"
-#include "tests/reference/surfaces.h"
+#include "tests/fixtures/mesh_files.h"
+#include "tests/fixtures/surfaces.h"
 
 #include <gmock/gmock.h>
 
@@ -17,9 +17,9 @@
 namespace internode {
 namespace {
 
-using reference::MeshFile;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using tests::MeshFile;
 
 using Write = bool (*)(Sink&, const Sheet&, std::span<const std::string>);
 
@@ -32,11 +32,11 @@ std::string written(Write write, const Sheet& sheet, const std::vector<std::stri
 /// Sheets of all kinds of ends, with and without normals.
 std::vector<Sheet> sheets() {
     std::vector<Sheet> result;
-    reference::Random random(1);
-    for (const reference::Shape shape : reference::all_shapes) {
-        const Knots u = reference::random_knots(random, reference::fibonacci(), 2, shape, 3);
-        const Knots v = reference::random_knots(random, reference::fibonacci(), 3, reference::Shape::Closed, 4);
-        const Grid grid = reference::random_grid(random, u, v, 4, true);
+    tests::Random random(1);
+    for (const tests::Shape shape : tests::all_shapes) {
+        const Knots u = tests::random_knots(random, tests::fibonacci(), 2, shape, 3);
+        const Knots v = tests::random_knots(random, tests::fibonacci(), 3, tests::Shape::Closed, 4);
+        const Grid grid = tests::random_grid(random, u, v, 4, true);
         result.push_back(control_sheet(grid));
         result.push_back(surface_limit(grid, Normals::Unit).sheet);
     }
@@ -53,7 +53,7 @@ void expect_same_faces(const MeshFile& mesh, const Sheet& sheet) {
 
 TEST(SheetFiles, ObjIsReadBackBitForBit) {
     for (const Sheet& sheet : sheets()) {
-        const MeshFile mesh = reference::read_obj(written(write_obj, sheet));
+        const MeshFile mesh = tests::read_obj(written(write_obj, sheet));
         EXPECT_EQ(mesh.points, sheet.points);
         EXPECT_EQ(mesh.normals, sheet.normals);
         expect_same_faces(mesh, sheet);
@@ -62,7 +62,7 @@ TEST(SheetFiles, ObjIsReadBackBitForBit) {
 
 TEST(SheetFiles, PlyIsReadBackWithNormalsAsFloats) {
     for (const Sheet& sheet : sheets()) {
-        const MeshFile mesh = reference::read_ply(written(write_ply, sheet));
+        const MeshFile mesh = tests::read_ply(written(write_ply, sheet));
         EXPECT_EQ(mesh.points, sheet.points);
         ASSERT_EQ(mesh.normals.size(), sheet.normals.size());
         for (std::size_t i = 0; i < mesh.normals.size(); ++i)
@@ -73,7 +73,7 @@ TEST(SheetFiles, PlyIsReadBackWithNormalsAsFloats) {
 
 TEST(SheetFiles, StlCutsEachFaceInTwoTriangles) {
     for (const Sheet& sheet : sheets()) {
-        const MeshFile mesh = reference::read_stl(written(write_stl, sheet));
+        const MeshFile mesh = tests::read_stl(written(write_stl, sheet));
         ASSERT_EQ(mesh.faces.size(), 2 * sheet.faces());
         for (std::size_t f = 0; f < sheet.faces(); ++f) {
             const auto corner = sheet.face(f);
@@ -87,8 +87,8 @@ TEST(SheetFiles, StlCutsEachFaceInTwoTriangles) {
 }
 
 TEST(SheetFiles, FacesAreCounterclockwiseSeenFromTheNormal) {
-    const Sheet sheet = surface_limit(refine(reference::torus(3, 1), 2, 2), Normals::Unit).sheet;
-    const MeshFile stl = reference::read_stl(written(write_stl, sheet));
+    const Sheet sheet = surface_limit(refine(tests::torus(3, 1), 2, 2), Normals::Unit).sheet;
+    const MeshFile stl = tests::read_stl(written(write_stl, sheet));
     for (std::size_t t = 0; t < stl.faces.size(); ++t) {
         const auto corner = sheet.face(t / 2);
         double along = 0;
@@ -104,7 +104,7 @@ TEST(SheetFiles, FacesAreCounterclockwiseSeenFromTheNormal) {
 
 /// Every edge is passed once in each direction.
 TEST(SheetFiles, AClosedSurfaceHasNoBorder) {
-    const Sheet sheet = control_sheet(reference::torus(3, 1));
+    const Sheet sheet = control_sheet(tests::torus(3, 1));
     std::map<std::pair<std::size_t, std::size_t>, int> edges;
     for (std::size_t f = 0; f < sheet.faces(); ++f)
         for (std::size_t k = 0; k < 4; ++k) ++edges[{sheet.face(f)[k], sheet.face(f)[(k + 1) % 4]}];
@@ -129,13 +129,13 @@ Sheet square(std::size_t dimension, std::vector<double> points) {
 TEST(SheetFiles, PadCoordinatesWithZero) {
     const Sheet flat = square(2, {0, 0, 0, 1, 1, 0, 1, 1});
     EXPECT_EQ(written(write_obj, flat), "v 0 0 0\nv 0 1 0\nv 1 0 0\nv 1 1 0\nf 1 3 4 2\n");
-    EXPECT_THAT(reference::read_ply(written(write_ply, flat)).points, ElementsAre(0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0));
-    const MeshFile stl = reference::read_stl(written(write_stl, flat));
+    EXPECT_THAT(tests::read_ply(written(write_ply, flat)).points, ElementsAre(0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0));
+    const MeshFile stl = tests::read_stl(written(write_stl, flat));
     EXPECT_THAT(stl.normals, ElementsAre(0, 0, 1, 0, 0, 1));
 }
 
 TEST(SheetFiles, TrianglesWithoutAreaHaveNoNormal) {
-    const MeshFile stl = reference::read_stl(written(write_stl, square(1, {1, 1, 2, 2})));
+    const MeshFile stl = tests::read_stl(written(write_stl, square(1, {1, 1, 2, 2})));
     EXPECT_THAT(stl.normals, testing::Each(0.0));
 }
 
@@ -143,9 +143,9 @@ TEST(SheetFiles, KeepHostileCommentsOnTheirLine) {
     const Sheet flat = square(1, {0, 0, 0, 0});
     const std::string hostile = "a\nend_header\nv 9 9 9\x1b[2J";
     EXPECT_THAT(written(write_obj, flat, {hostile}), testing::StartsWith("# a?end_header?v 9 9 9?[2J\nv 0 0 0\n"));
-    const MeshFile ply = reference::read_ply(written(write_ply, flat, {hostile, "b"}));
+    const MeshFile ply = tests::read_ply(written(write_ply, flat, {hostile, "b"}));
     EXPECT_THAT(ply.header, HasSubstr("comment a?end_header?v 9 9 9?[2J\ncomment b\nelement vertex 4\n"));
-    const MeshFile stl = reference::read_stl(written(write_stl, flat, {std::string(500, 's')}));
+    const MeshFile stl = tests::read_stl(written(write_stl, flat, {std::string(500, 's')}));
     EXPECT_EQ(stl.header, "binary STL: " + std::string(68, 's'));
 }
 
@@ -199,7 +199,7 @@ private:
 };
 
 TEST(SheetFiles, StopWhenTheSinkFails) {
-    const Sheet sheet = surface_limit(refine(reference::torus(3, 1), 5, 5), Normals::Unit).sheet;
+    const Sheet sheet = surface_limit(refine(tests::torus(3, 1), 5, 5), Normals::Unit).sheet;
     for (const std::size_t room : {0u, 70'000u, 300'000u}) {
         for (const Write write : {Write{write_obj}, Write{write_ply}, Write{write_stl}}) {
             FailingSink sink(room);

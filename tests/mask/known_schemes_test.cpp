@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 
+#include "internode/algebra/fraction.h"
 #include "internode/mask/known_schemes.h"
+
+#include "tests/fixtures/masks.h"
 
 #include <gtest/gtest.h>
 
@@ -10,15 +13,6 @@
 namespace internode {
 namespace {
 
-UniformMask mask_of(std::vector<long> numerators, long denominator, std::size_t arity = 2, std::ptrdiff_t first = 0) {
-    UniformMask mask{.arity = arity, .first = first, .coefficients = {}};
-    for (const long numerator : numerators) {
-        mask.coefficients.emplace_back(numerator, denominator);
-        mask.coefficients.back().canonicalize();
-    }
-    return mask;
-}
-
 std::vector<std::string> names(const UniformMask& mask) {
     std::vector<std::string> all;
     for (const KnownScheme& scheme : known_schemes(mask)) all.push_back(scheme.name);
@@ -26,6 +20,7 @@ std::vector<std::string> names(const UniformMask& mask) {
 }
 
 using Names = std::vector<std::string>;
+using tests::mask_of;
 
 TEST(KnownSchemes, MasksNamedAfterOthersAreWhatTheyAre) {
     // 1/8, 6/8, 1/8 and 1/2, 1/2: published under the names of Dyn, Levin and Micchelli.

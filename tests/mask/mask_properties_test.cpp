@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 
+#include "internode/algebra/fraction.h"
 #include "internode/mask/mask_properties.h"
+
+#include "tests/fixtures/masks.h"
 
 #include <gtest/gtest.h>
 
@@ -10,14 +13,7 @@
 namespace internode {
 namespace {
 
-UniformMask mask_of(std::vector<long> numerators, long denominator, std::size_t arity = 2, std::ptrdiff_t first = 0) {
-    UniformMask mask{.arity = arity, .first = first, .coefficients = {}};
-    for (const long numerator : numerators) {
-        mask.coefficients.emplace_back(numerator, denominator);
-        mask.coefficients.back().canonicalize();
-    }
-    return mask;
-}
+using tests::mask_of;
 
 /// p'_k = Σ a_{k-mj} p_j of the samples p_j = f(j), as the definition has it.
 template<class Function>
@@ -133,11 +129,10 @@ TEST(MaskProperties, AreWhatTheDefinitionsSayForSchemesWithFactors) {
     for (std::size_t arity = 2; arity <= 3; ++arity)
         for (long a = -3; a <= 3; ++a)
             for (long b = -3; b <= 3; ++b) {
-                std::vector<Rational> coefficients{Rational(a, 8), Rational(b, 8), Rational(a, 8)};
+                std::vector<Rational> coefficients{fraction(a, 8), fraction(b, 8), fraction(a, 8)};
                 for (std::size_t power = 0; power <= 4; ++power) {
                     UniformMask mask{.arity = arity, .first = -2, .coefficients = coefficients};
                     while (!mask.coefficients.empty() && mask.coefficients.back() == 0) mask.coefficients.pop_back();
-                    for (Rational& coefficient : mask.coefficients) coefficient.canonicalize();
                     if (!mask.coefficients.empty() && mask.coefficients.front() != 0) expect_the_definitions(mask);
                     std::vector<Rational> next(coefficients.size() + arity - 1);
                     for (std::size_t k = 0; k < coefficients.size(); ++k)

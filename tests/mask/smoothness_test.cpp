@@ -2,7 +2,9 @@
 
 #include "internode/mask/smoothness.h"
 
+#include "internode/algebra/fraction.h"
 #include "internode/mask/known_schemes.h"
+#include "tests/fixtures/masks.h"
 
 #include <gtest/gtest.h>
 
@@ -12,14 +14,7 @@
 namespace internode {
 namespace {
 
-UniformMask mask_of(std::vector<long> numerators, long denominator, std::size_t arity = 2) {
-    UniformMask mask{.arity = arity, .first = 0, .coefficients = {}};
-    for (const long numerator : numerators) {
-        mask.coefficients.emplace_back(numerator, denominator);
-        mask.coefficients.back().canonicalize();
-    }
-    return mask;
-}
+using tests::mask_of;
 
 UniformMask four_point(const Rational& w) {
     const Rational inner = Rational(1, 2) + w;
@@ -80,7 +75,7 @@ TEST(Smoothness, InterpolationOfHigherDegreeAsPublished) {
 TEST(Smoothness, TensionKeepsOneDerivativeUpToItsBound) {
     // 0 < w < (sqrt(5) - 1)/8 = 0.1545…: Dyn, Gregory and Levin 1991.
     for (const Rational& w :
-         {Rational(1, 1000), Rational(1, 100), Rational(1, 20), Rational(1, 10), Rational(15, 100)}) {
+         {Rational(1, 1000), Rational(1, 100), Rational(1, 20), Rational(1, 10), fraction(15, 100)}) {
         const Smoothness result = smoothness(four_point(w)).value();
         EXPECT_EQ(result.convergence, SchemeConvergence::Proved) << w;
         EXPECT_GE(result.derivatives.value(), 1U) << w;
@@ -140,8 +135,7 @@ TEST(JointRadius, BoundsHoldForAllSmallSchemes) {
         for (long a = -3; a <= 3; ++a)
             for (long b = -3; b <= 3; ++b)
                 for (long c = -3; c <= 3; ++c) {
-                    std::vector<Rational> scheme{Rational(a, 2), Rational(b, 2), Rational(c, 2)};
-                    for (Rational& coefficient : scheme) coefficient.canonicalize();
+                    std::vector<Rational> scheme{fraction(a, 2), fraction(b, 2), fraction(c, 2)};
                     const JointRadius radius = joint_radius(scheme, arity);
                     EXPECT_LE(radius.lower, radius.upper);
                     ASSERT_GT(radius.steps, 0U);
@@ -158,7 +152,7 @@ TEST(JointRadius, BoundsHoldForAllSmallSchemes) {
 }
 
 TEST(JointRadius, LongCoefficientsAreBoundedByNormsAlone) {
-    const Rational third = Rational(1, 3) + Rational(1, Integer(1) << 2'000);
+    const Rational third = Rational(1, 3) + fraction(1, Integer(1) << 2'000);
     const JointRadius radius = joint_radius({third, Rational(1) - third}, 2);
     EXPECT_EQ(radius.lower, 0);
     EXPECT_LT(radius.upper, 1);

@@ -2,6 +2,9 @@
 
 #include "tests/point/systems.h"
 
+#include "internode/point/growth.h"
+#include "internode/point/start_word.h"
+
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -13,7 +16,7 @@ namespace {
 constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
 
 std::optional<std::uint64_t> predicted(const std::string& text, std::uint64_t cycles, std::uint64_t limit = no_limit) {
-    const PointSystem system = system_of(text);
+    const PointSystem system = point_system(text);
     return predicted_length(system, axiom_word(system), cycles, limit);
 }
 
@@ -61,7 +64,7 @@ TEST(Growth, IsTheLengthOfTheWordForRandomRules) {
             for (unsigned k = 0; k < count; ++k) text += std::string(" ") + "ABC"[below(3)];
             text += count == 0 ? " .\n" : "\n";
         }
-        const PointSystem system = system_of(text);
+        const PointSystem system = point_system(text);
         ModuleWord word = axiom_word(system);
         for (std::uint64_t cycles = 1; cycles <= 5; ++cycles) {
             word = derive_step(system, word, cycles).word;

@@ -5,6 +5,9 @@
 
 #include "tests/point/systems.h"
 
+#include "internode/point/start_word.h"
+#include "tests/fixtures/stride.h"
+
 #include <gtest/gtest.h>
 
 #include <string>
@@ -13,11 +16,7 @@
 namespace internode {
 namespace {
 
-#ifdef INTERNODE_SANITIZED
-constexpr std::size_t many = 100'000;
-#else
-constexpr std::size_t many = 1'000'000;
-#endif
+const auto many = static_cast<std::size_t>(tests::times(1'000'000, 100'000));
 
 /// A word of one letter without parameters.
 ModuleWord repeated(const PointSystem& system, const std::vector<std::string>& letters, std::size_t times) {
@@ -36,7 +35,7 @@ std::uint64_t work_of_step(const PointSystem& system, const ModuleWord& word) {
 TEST(HostileDerivation, WorkIsLinearInTheWord) {
     for (const std::string text : {"points\nring\nP(u) < P(v) > P(w) -> P(1/4 u + 3/4 v) P(3/4 v + 1/4 w)\n",
                                    "points\nP(u) P(v) < P(w) : u.x > 3 -> .\nP(u) > P(v) -> P(u) P(v)\n"}) {
-        const PointSystem system = system_of(text);
+        const PointSystem system = point_system(text);
         const auto work = [&](std::size_t points) {
             return work_of_step(system, input_word(system, std::vector<double>(2 * points, 1.0)));
         };
@@ -50,7 +49,7 @@ TEST(HostileDerivation, WorkIsLinearInTheContexts) {
     const auto work = [&](std::size_t context) {
         std::string letters;
         for (std::size_t i = 0; i < context; ++i) letters += "A ";
-        const PointSystem system = system_of("points\nring\naxiom A\n" + letters + " < A > " + letters + " -> A\n");
+        const PointSystem system = point_system("points\nring\naxiom A\n" + letters + " < A > " + letters + " -> A\n");
         return work_of_step(system, repeated(system, {"A"}, 3));
     };
     EXPECT_EQ(work(400) - work(200), work(300) - work(100));
@@ -58,7 +57,7 @@ TEST(HostileDerivation, WorkIsLinearInTheContexts) {
 }
 
 TEST(HostileDerivation, ManyBranchesOnOneStemAreSteppedOverAtOnce) {
-    const PointSystem system = system_of("points\naxiom A [ B ]\nA < B -> B B\nA < A -> A\n");
+    const PointSystem system = point_system("points\naxiom A [ B ]\nA < B -> B B\nA < A -> A\n");
     ModuleWord word = repeated(system, {"A"}, 1);
     const ModuleWord branches = repeated(system, {"[", "B", "]"}, many / 4);
     for (std::size_t i = 0; i < branches.size(); ++i) word.push_back(branches.letter(i), {});
@@ -67,7 +66,7 @@ TEST(HostileDerivation, ManyBranchesOnOneStemAreSteppedOverAtOnce) {
 }
 
 TEST(HostileDerivation, AMillionNestedBranchesCostNoStack) {
-    const PointSystem system = system_of("points\naxiom A [ A ]\nA < A -> A A\n");
+    const PointSystem system = point_system("points\naxiom A [ A ]\nA < A -> A A\n");
     ModuleWord word = repeated(system, {"A", "["}, many / 2);
     const ModuleWord closing = repeated(system, {"]"}, many / 2);
     for (std::size_t i = 0; i < closing.size(); ++i) word.push_back(closing.letter(i), {});
@@ -78,14 +77,14 @@ TEST(HostileDerivation, AMillionNestedBranchesCostNoStack) {
 }
 
 TEST(HostileDerivation, UnbalancedBracketsAreModules) {
-    const PointSystem system = system_of("points\naxiom A [ A ]\nA < A -> B\n");
+    const PointSystem system = point_system("points\naxiom A [ A ]\nA < A -> B\n");
     const Derivation done = derive_step(system, repeated(system, {"]", "A", "A", "["}, 1), 0);
     ASSERT_FALSE(done.problem);
     EXPECT_EQ(shown(system, done.word), "] A B [");
 }
 
 TEST(HostileDerivation, AMillionModulesAreDerived) {
-    const PointSystem system = system_of("points\nring\nP(u) < P(v) > P(w) -> P(1/4 u + 3/4 v) P(3/4 v + 1/4 w)\n");
+    const PointSystem system = point_system("points\nring\nP(u) < P(v) > P(w) -> P(1/4 u + 3/4 v) P(3/4 v + 1/4 w)\n");
     const Derivation done = derive(system, input_word(system, std::vector<double>(many, 1.0)), 1);
     ASSERT_FALSE(done.problem);
     EXPECT_EQ(done.word.size(), many);
@@ -96,7 +95,7 @@ TEST(HostileDerivation, SelfFeedingGrowthIsRefused) {
     for (const std::string text : {"points\naxiom A(2)\na: A(x) : x > 0 -> A(x) A(x + 1)\n",
                                    "points\nring\naxiom A E\nA < E > A -> E A E\nA -> A A\n",
                                    "points\naxiom A(2)\na: A(x) -> A(x) A(x) A(x) : 1\nb: A(x) -> A(x) A(x) : x\n"}) {
-        const PointSystem system = system_of(text);
+        const PointSystem system = point_system(text);
         const Derivation done = derive(system, axiom_word(system), 1'000'000'000, {.max_modules = 100'000});
         ASSERT_TRUE(done.problem) << text;
         EXPECT_LE(done.word.size(), 100'000U);
@@ -104,7 +103,7 @@ TEST(HostileDerivation, SelfFeedingGrowthIsRefused) {
 }
 
 TEST(HostileDerivation, ASuccessorOfAHundredThousandModulesIsCountedAndNotStored) {
-    const PointSystem system = system_of("points\naxiom A\na: A : 1 == 1 -> A^90000\n");
+    const PointSystem system = point_system("points\naxiom A\na: A : 1 == 1 -> A^90000\n");
     const Derivation done = derive(system, axiom_word(system), 3, {.max_modules = 1'000'000});
     ASSERT_TRUE(done.problem);
     EXPECT_EQ(done.problem->message, "the word would have 8100000000 modules, more than 1000000");

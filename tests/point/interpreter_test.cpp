@@ -2,6 +2,7 @@
 
 #include "internode/point/interpreter.h"
 
+#include "internode/point/start_word.h"
 #include "tests/point/systems.h"
 
 #include <gmock/gmock.h>
@@ -18,14 +19,14 @@ using testing::HasSubstr;
 
 /// The problem that ends a derivation from the axiom; empty without one.
 std::string problem_after(const std::string& text, std::uint64_t cycles, const DeriveOptions& options = {}) {
-    const PointSystem system = system_of(text);
+    const PointSystem system = point_system(text);
     const Derivation done = derive(system, axiom_word(system), cycles, options);
     return done.problem ? done.problem->message : "";
 }
 
 /// The part of the text that the problem is about.
 std::string place_after(const std::string& text, std::uint64_t cycles) {
-    const PointSystem system = system_of(text);
+    const PointSystem system = point_system(text);
     const Derivation done = derive(system, axiom_word(system), cycles);
     return done.problem ? text.substr(done.problem->place.offset, done.problem->place.bytes) : "no problem";
 }
@@ -67,7 +68,7 @@ TEST(Interpreter, ContextsStepOverBranches) {
 
 TEST(Interpreter, TablesFollowTheCycle) {
     const std::string text = "points\naxiom A\nE -> F\ntable p\nA -> B E\ntable q\nB -> C\ncycle p q^2\n";
-    const PointSystem system = system_of(text);
+    const PointSystem system = point_system(text);
     const ModuleWord axiom = axiom_word(system);
     EXPECT_EQ(shown(system, derive_step(system, axiom, 0).word), "B E");
     EXPECT_EQ(shown(system, derive_step(system, axiom, 1).word), "A");
@@ -130,7 +131,7 @@ TEST(Interpreter, ConditionsMayMeetInfinityAndNaN) {
 }
 
 TEST(Interpreter, KeepsTheLastWholeWordWhenAStepFails) {
-    const PointSystem system = system_of("points\naxiom A(2)\nA(x) -> A(x - 1) B(1/(x - 1))\n");
+    const PointSystem system = point_system("points\naxiom A(2)\nA(x) -> A(x - 1) B(1/(x - 1))\n");
     const Derivation done = derive(system, axiom_word(system), 5);
     ASSERT_TRUE(done.problem);
     EXPECT_EQ(shown(system, done.word), "A(1) B(1)");
@@ -143,7 +144,7 @@ TEST(Interpreter, RefusesLongWordsBeforeTheWorkWhereGrowthIsContextFree) {
     EXPECT_EQ(problem_after(text, 5, {.max_modules = 31}),
               "after 5 cycles the word would have 32 modules; 31 are allowed");
     EXPECT_EQ(problem_after(text, 5, {.max_modules = 32}), "");
-    const PointSystem system = system_of(text);
+    const PointSystem system = point_system(text);
     EXPECT_EQ(derive(system, axiom_word(system), 1'000'000'000).work, 0U);
 }
 
@@ -186,7 +187,7 @@ TEST(Interpreter, DrawsDependOnSeedStepAndPositionAlone) {
     const std::string text = "points\naxiom A^40\n" + rules;
     EXPECT_EQ(after(text, 2, {.seed = 3}), after(text, 2, {.seed = 3}));
     EXPECT_NE(after(text, 2, {.seed = 3}), after(text, 2, {.seed = 4}));
-    const PointSystem system = system_of(text);
+    const PointSystem system = point_system(text);
     const ModuleWord axiom = axiom_word(system);
     EXPECT_NE(derive_step(system, axiom, 0).word, derive_step(system, axiom, 1).word);
     const std::string shorter = after("points\naxiom A^20\n" + rules, 1);
@@ -237,15 +238,15 @@ TEST(Interpreter, RefusesAnAnswerThatIsNotFinite) {
 }
 
 TEST(Interpreter, InterpretationPassesFollowEachOther) {
-    const PointSystem system = system_of("points\naxiom P(1) E P(2)\nE -> E\ninterpretation\nP(x) -> Q(10 x)\n"
-                                         "interpretation\nQ(x) < E > Q(y) -> L(x, y)\nE -> X\n");
+    const PointSystem system = point_system("points\naxiom P(1) E P(2)\nE -> E\ninterpretation\nP(x) -> Q(10 x)\n"
+                                            "interpretation\nQ(x) < E > Q(y) -> L(x, y)\nE -> X\n");
     const Derivation drawn = interpret(system, axiom_word(system));
     ASSERT_FALSE(drawn.problem);
     EXPECT_EQ(shown(system, drawn.word, 2), "Q(10) L(10, 20) Q(20)");
 }
 
 TEST(Interpreter, InterpretationObeysTheLimitOfModules) {
-    const PointSystem system = system_of("points\naxiom P^3\nP -> P\ninterpretation\nP -> P^4\n");
+    const PointSystem system = point_system("points\naxiom P^3\nP -> P\ninterpretation\nP -> P^4\n");
     EXPECT_FALSE(interpret(system, axiom_word(system), {.max_modules = 12}).problem);
     const Derivation refused = interpret(system, axiom_word(system), {.max_modules = 11});
     ASSERT_TRUE(refused.problem);
@@ -253,7 +254,7 @@ TEST(Interpreter, InterpretationObeysTheLimitOfModules) {
 }
 
 TEST(Interpreter, RecordsParentsRulesAndWhatWasRead) {
-    const PointSystem system = system_of("points\nring\naxiom A B C\nC < A > B -> A D\nB C -> E\n");
+    const PointSystem system = point_system("points\nring\naxiom A B C\nC < A > B -> A D\nB C -> E\n");
     StepRecord record;
     const Derivation done = derive_step(system, axiom_word(system), 0, {}, record);
     EXPECT_EQ(shown(system, done.word), "A D E");
@@ -263,7 +264,7 @@ TEST(Interpreter, RecordsParentsRulesAndWhatWasRead) {
 }
 
 TEST(Interpreter, RecordsOfATurnedRingNameTheModulesAsTheyWere) {
-    const PointSystem system = system_of("points\nring\naxiom A(1) A(2) A(3)\nA(x) > A(y) -> A(y)\n");
+    const PointSystem system = point_system("points\nring\naxiom A(1) A(2) A(3)\nA(x) > A(y) -> A(y)\n");
     StepRecord record;
     const Derivation done = derive_step(system, axiom_word(system), 0, {.phase = 2}, record);
     EXPECT_EQ(shown(system, done.word), "A(1) A(2) A(3)");
@@ -272,7 +273,7 @@ TEST(Interpreter, RecordsOfATurnedRingNameTheModulesAsTheyWere) {
 }
 
 TEST(Interpreter, RecordsWhatStays) {
-    const PointSystem system = system_of("points\naxiom A B\nA -> A\n");
+    const PointSystem system = point_system("points\naxiom A B\nA -> A\n");
     StepRecord record;
     static_cast<void>(derive_step(system, axiom_word(system), 0, {}, record));
     EXPECT_THAT(record.rule, ElementsAre(std::optional<std::uint32_t>(0), std::nullopt));

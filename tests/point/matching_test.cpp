@@ -2,6 +2,7 @@
 
 #include "internode/point/matching.h"
 
+#include "tests/fixtures/stride.h"
 #include "tests/reference/slow_matching.h"
 
 #include <gtest/gtest.h>
@@ -12,11 +13,7 @@
 namespace internode {
 namespace {
 
-#ifdef INTERNODE_SANITIZED
-constexpr std::size_t longest = 5;
-#else
-constexpr std::size_t longest = 7;
-#endif
+const std::size_t longest = tests::in_full() ? 7 : 5;
 
 PointGrammar letters_of_branches(bool ring) {
     PointGrammar grammar;

@@ -2,6 +2,8 @@
 
 #include "internode/point/module_word.h"
 
+#include "internode/point/start_word.h"
+#include "internode/point/strands.h"
 #include "tests/point/systems.h"
 
 #include <gmock/gmock.h>
@@ -16,14 +18,15 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 TEST(ModuleWord, PrintsNumbersAndPoints) {
-    const PointSystem system = system_of("points\naxiom A(4) A(3.5) P((0, 1/3), 2) E [ Q((1, 2, 3)) ]\nA(x) -> A(x)\n");
+    const PointSystem system =
+        point_system("points\naxiom A(4) A(3.5) P((0, 1/3), 2) E [ Q((1, 2, 3)) ]\nA(x) -> A(x)\n");
     EXPECT_EQ(shown(system, axiom_word(system)), "A(4) A(3.5) P((0, 0.3333333333333333), 2) E [ Q((1, 2, 3)) ]");
 }
 
 TEST(ModuleWord, TheInputSaysWhatPointsBecome) {
     const std::vector<double> points{0, 1, 2, 3, 4, 5};
     const auto word = [&](const std::string& input, std::span<const double> some) {
-        const PointSystem system = system_of("points\n" + input + "P(v, s) -> P(v, s)\nQ(v) -> Q(v)\n");
+        const PointSystem system = point_system("points\n" + input + "P(v, s) -> P(v, s)\nQ(v) -> Q(v)\n");
         return shown(system, input_word(system, some));
     };
     EXPECT_EQ(word("input P(v, 2) E | P(v, 0) E | P(v, 2)\n", points), "P((0, 1), 2) E P((2, 3), 0) E P((4, 5), 2)");
@@ -34,34 +37,34 @@ TEST(ModuleWord, TheInputSaysWhatPointsBecome) {
 }
 
 TEST(ModuleWord, WithoutAnInputPointsBecomeP) {
-    const PointSystem system = system_of("points\nP(v) -> P(v)\n", {.dimension = 3});
+    const PointSystem system = point_system("points\nP(v) -> P(v)\n", {.dimension = 3});
     EXPECT_EQ(shown(system, input_word(system, std::vector<double>{1, 2, 3, 4, 5, 6})), "P((1, 2, 3)) P((4, 5, 6))");
-    const PointSystem both = system_of("points\naxiom P((0, 0))\nP(v) -> P(v)\n");
+    const PointSystem both = point_system("points\naxiom P((0, 0))\nP(v) -> P(v)\n");
     EXPECT_EQ(shown(both, input_word(both, std::vector<double>{1, 2})), "P((1, 2))");
 }
 
 TEST(ModuleWord, RefusesPolygonsThatAreNone) {
-    const PointSystem system = system_of("points\nP(v) -> P(v)\n");
+    const PointSystem system = point_system("points\nP(v) -> P(v)\n");
     EXPECT_THROW(static_cast<void>(input_word(system, {})), std::invalid_argument);
     EXPECT_THROW(static_cast<void>(input_word(system, std::vector<double>{1, 2, 3})), std::invalid_argument);
     EXPECT_THROW(static_cast<void>(input_word(system, std::vector<double>{1, std::numeric_limits<double>::infinity()})),
                  std::invalid_argument);
-    const PointSystem numbers = system_of("points\naxiom P(1)\nP(v) -> P(v)\n");
+    const PointSystem numbers = point_system("points\naxiom P(1)\nP(v) -> P(v)\n");
     EXPECT_THROW(static_cast<void>(input_word(numbers, std::vector<double>{1, 2})), std::invalid_argument);
-    const PointSystem axiom = system_of("points\naxiom P((1, 2))\nP(v) -> P(v)\n", {.start = PointStart::Axiom});
+    const PointSystem axiom = point_system("points\naxiom P((1, 2))\nP(v) -> P(v)\n", {.start = PointStart::Axiom});
     EXPECT_THROW(static_cast<void>(input_word(axiom, std::vector<double>{1, 2})), std::invalid_argument);
 }
 
 TEST(ModuleWord, RefusesAnAxiomThatIsNotThere) {
-    const PointSystem system = system_of("points\nP(v) -> P(v)\n");
+    const PointSystem system = point_system("points\nP(v) -> P(v)\n");
     EXPECT_THROW(static_cast<void>(axiom_word(system)), std::invalid_argument);
-    const PointSystem input = system_of("points\naxiom P((1, 2))\nP(v) -> P(v)\n", {.start = PointStart::Input});
+    const PointSystem input = point_system("points\naxiom P((1, 2))\nP(v) -> P(v)\n", {.start = PointStart::Input});
     EXPECT_THROW(static_cast<void>(axiom_word(input)), std::invalid_argument);
 }
 
 PointStrands drawn(const std::string& axiom, bool ring = false) {
     const PointSystem system =
-        system_of(std::string("points\n") + (ring ? "ring\n" : "") + "axiom " + axiom + "\nP(v) -> P(v)\n");
+        point_system(std::string("points\n") + (ring ? "ring\n" : "") + "axiom " + axiom + "\nP(v) -> P(v)\n");
     return strands(axiom_word(system), system, 0);
 }
 

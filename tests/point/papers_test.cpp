@@ -2,7 +2,11 @@
 //
 // Every numbered production of S0 and S1 gives the result that its paper says.
 
+#include "internode/algebra/fraction.h"
 #include "tests/point/systems.h"
+
+#include "internode/point/start_word.h"
+#include "internode/point/strands.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +18,7 @@ namespace internode {
 namespace {
 
 PointSystem bundled(const std::string& name, const PointSettings& settings = {}) {
-    return system_of(text_of_data(name), settings);
+    return point_system(text_of_data(name), settings);
 }
 
 std::vector<double> subdivided(const std::string& name, const std::vector<double>& points, std::uint64_t cycles = 1,
@@ -244,7 +248,7 @@ TEST(PaperS1, Equations14To16OnFourPointsAreEquations18And19) {
 TEST(PaperS1, RationalArcsLieOnTheirConics) {
     for (const double weight : {0.5, 1.0, 2.5})
         for (int k = 0; k <= 10; ++k) {
-            const PointSystem system = bundled("s1/20-21", {.dimension = 3, .constants = {{"t", Rational(k, 10)}}});
+            const PointSystem system = bundled("s1/20-21", {.dimension = 3, .constants = {{"t", fraction(k, 10)}}});
             const ModuleWord word =
                 input_word(system, std::vector<double>{0, 0, 1, weight, 2 * weight, weight, 2, 0, 1});
             const Derivation drawn = interpret(system, derived(system, word, 2));

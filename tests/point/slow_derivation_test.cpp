@@ -4,8 +4,10 @@
 // conditions, empty successors, strict predecessors of two modules, tables, branches, rings and open words with end
 // markers.
 
+#include "internode/point/start_word.h"
+#include "tests/fixtures/random_point_grammar.h"
+#include "tests/fixtures/stride.h"
 #include "tests/point/systems.h"
-#include "tests/reference/random_point_grammar.h"
 #include "tests/reference/slow_derivation.h"
 
 #include <gtest/gtest.h>
@@ -16,11 +18,7 @@
 namespace internode {
 namespace {
 
-#ifdef INTERNODE_SANITIZED
-constexpr unsigned grammars = 300;
-#else
-constexpr unsigned grammars = 3000;
-#endif
+const auto grammars = static_cast<unsigned>(tests::times(3000, 50));
 
 ModuleWord as_word(const reference::Sentence& sentence) {
     ModuleWord word;
@@ -36,8 +34,8 @@ ModuleWord as_word(const reference::Sentence& sentence) {
 TEST(Interpreter, AgreesWithTheDefinitionForRandomGrammars) {
     unsigned compared = 0;
     for (unsigned seed = 0; seed < grammars; ++seed) {
-        const std::string text = reference::RandomPointGrammar(seed).text();
-        const PointSystem system = system_of(text);
+        const std::string text = tests::RandomPointGrammar(seed).text();
+        const PointSystem system = point_system(text);
         reference::Sentence sentence = reference::axiom_sentence(system.grammar());
         ModuleWord word = axiom_word(system);
         for (std::uint64_t step = 0; step < 4 && sentence.size() < 500; ++step) {

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Point systems from text, for tests.
+// What the tests of this room ask of point systems from text.
 
 #pragma once
 
-#include "internode/grammar/points/parse_points.h"
 #include "internode/point/interpreter.h"
+#include "internode/point/start_word.h"
+#include "internode/point/strands.h"
+#include "tests/fixtures/point_systems.h"
 #include "tests/fixtures/source_folder.h"
 
-#include <fstream>
-#include <iterator>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -17,36 +18,21 @@
 
 namespace internode {
 
-inline PointGrammar grammar_of(std::string_view text) {
-    ParsedPointGrammar parsed = parse_point_grammar(text, "<test>");
-    if (!parsed.grammar) throw std::runtime_error(to_string(parsed.errors));
-    return std::move(*parsed.grammar);
-}
-
-inline PointSystem system_of(std::string_view text, const PointSettings& settings = {}) {
-    CheckedPointSystem made = make_point_system(grammar_of(text), settings);
-    if (!made.system) throw std::runtime_error(made.problems.front().message);
-    return std::move(*made.system);
-}
-
-/// The text of a grammar of data/grammars, by its path there: "s0/13".
-inline std::string text_of_data(const std::string& name) {
-    std::ifstream file(tests::in_source_folder("data/grammars/") + name + ".lsys");
-    if (!file) throw std::runtime_error("no grammar " + name);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
+using tests::point_grammar;
+using tests::point_system;
+using tests::text_of_data;
 
 /// "message | hint" of each problem.
 inline std::vector<std::string> problems_of(std::string_view text, const PointSettings& settings = {}) {
     std::vector<std::string> lines;
-    for (const PointProblem& one : make_point_system(grammar_of(text), settings).problems)
+    for (const PointProblem& one : make_point_system(point_grammar(text), settings).problems)
         lines.push_back(one.hint.empty() ? one.message : one.message + " | " + one.hint);
     return lines;
 }
 
 /// What the first problem is about.
 inline std::string place_of_first_problem(std::string_view text, const PointSettings& settings = {}) {
-    const CheckedPointSystem made = make_point_system(grammar_of(text), settings);
+    const CheckedPointSystem made = make_point_system(point_grammar(text), settings);
     if (made.problems.empty()) return "no problem";
     const SourcePlace& place = made.problems.front().place;
     return std::string(text.substr(place.offset, place.bytes));
@@ -65,7 +51,7 @@ inline std::string shown(const PointSystem& system, const ModuleWord& word, std:
 
 /// The word after so many cycles from the axiom.
 inline std::string after(std::string_view text, std::uint64_t cycles, const DeriveOptions& options = {}) {
-    const PointSystem system = system_of(text);
+    const PointSystem system = point_system(text);
     return shown(system, derived(system, axiom_word(system), cycles, options));
 }
 

@@ -615,12 +615,31 @@ def check_convergence(document):
 # --- curves ----------------------------------------------------------------------------------------------------------
 
 
+def check_knots(word, lengths, origin, knots, degree, closed):
+    """The knots are the sums of the lengths of the word, the origin where the domain begins."""
+    values = [0.0 if symbol == "0" else lengths[symbol]["value"] for symbol in word]
+    require(len(knots) == len(word) + 1, f"{len(knots)} knots for {len(word)} letters")
+    require(knots[0 if closed else degree] == origin["value"], "the domain does not begin at the origin")
+    near = 1e-12 * max(abs(knot) for knot in knots)
+    require(all(abs(b - a - value) <= near for a, b, value in zip(knots, knots[1:], values)), "a knot interval is wrong")
+
+
 def check_curve(document):
     points = document["points"]
     require(len({len(point) for point in points}) == 1, "points of different dimension")
+    closed = document.get("closed", False)
     if "word" in document:
-        letters = len(points) + (0 if document.get("closed", False) else document["degree"])
+        letters = len(points) + (0 if closed else document["degree"])
         require(len(document["word"]) == letters, f"{len(document['word'])} letters for {len(points)} points")
+    if "word" in document and "knots" in document:
+        check_knots(
+            document["word"], document["lengths"], document["origin"], document["knots"], document["degree"], closed
+        )
+
+
+def check_curves(document):
+    for curve in document["curves"]:
+        check_curve(curve)
 
 
 def check_points(document):
@@ -647,6 +666,9 @@ def check_grid(document):
     for side, count in enumerate((len(rows), len(rows[0]))):
         letters = count + (0 if document["closed"][side] else document["degree"][side])
         require(len(document["word"][side]) == letters, f"{len(document['word'][side])} letters for {count} points")
+        if document.get("knots", [None, None])[side] is not None:
+            parts = [document[key][side] for key in ("word", "lengths", "origin", "knots", "degree", "closed")]
+            check_knots(*parts)
 
 
 def refined_word(rules, word, degree, closed):
@@ -884,6 +906,20 @@ def check_composed(document, fine):
 
 # --- all -------------------------------------------------------------------------------------------------------------
 
+def check_word(document):
+    word, counts = document["word"], document["counts"]
+    require(document["letters"] == len(word), "letters of the word")
+    require({name: word.count(name) for name in counts} == counts, "counts of the letters")
+    require(set(word) <= set(counts), "every letter is counted")
+
+
+def check_formats(document):
+    names = [row["name"] for row in document["formats"]]
+    extensions = [extension for row in document["formats"] for extension in row["extensions"]]
+    require(len(set(names)) == len(names), "a format has one row")
+    require(len(set(extensions)) == len(extensions), "an extension stands for one format")
+
+
 CHECKS = {
     "internode-validation": ("validation", check_validation),
     "internode-point-validation": ("point-validation", check_point_validation),
@@ -891,12 +927,15 @@ CHECKS = {
     "internode-automaton": ("automaton", check_automaton),
     "internode-convergence": ("convergence", check_convergence),
     "internode-curve": ("curve", check_curve),
+    "internode-curves": ("curves", check_curves),
     "internode-grid": ("grid", check_grid),
     "internode-points": ("points", check_points),
     "internode-pyramid": ("pyramid", check_pyramid),
     "internode-reversal": ("reversal", check_reversal),
     "internode-point-masks": ("point-masks", check_point_masks),
     "internode-cells": ("cells", check_cells),
+    "internode-word": ("word", check_word),
+    "internode-formats": ("formats", check_formats),
 }
 
 

@@ -6,10 +6,10 @@
 #include "internode/curve/refinement.h"
 #include "internode/report/code/automaton_code.h"
 #include "internode/word/factors.h"
-#include "tests/reference/random_curve.h"
-#include "tests/reference/systems.h"
-#include "tests/report/systems.h"
+#include "tests/fixtures/interval_systems.h"
+#include "tests/fixtures/random_curve.h"
 #include "tests/fixtures/source_folder.h"
+#include "tests/report/systems.h"
 
 #include <gmock/gmock.h>
 
@@ -42,20 +42,20 @@ Word far_word(const IntervalSystem& system, std::size_t letters) {
     return {middle, middle + static_cast<std::ptrdiff_t>(letters)};
 }
 
-Curve curve_over(reference::Random& random, const IntervalSystem& system, int degree, Ends ends, const Word& word,
+Curve curve_over(tests::Random& random, const IntervalSystem& system, int degree, Ends ends, const Word& word,
                  std::size_t dimension) {
     CurveData data{degree, ends, word, dimension, {}};
     const std::size_t points = ends == Ends::Open ? word.size() - static_cast<std::size_t>(degree) : word.size();
     // Zeros of both signs among them: a sum that left out a weight of 0 would show by the sign of a zero.
     for (std::size_t i = 0; i < points * dimension; ++i)
         data.points.push_back(i % 7 == 3 ? (i % 2 == 0 ? 0.0 : -0.0) : 100 * random.coordinate());
-    return reference::curve_of(system, std::move(data));
+    return tests::curve_of(system, std::move(data));
 }
 
 /// Open and clamped curves by the tables of the words that persist; closed ones, wrapping more than once and with empty
 /// intervals, by tables of their own.
 void add_cases(std::vector<Case>& cases, const std::string& name, const IntervalSystem& system, int degree) {
-    reference::Random random(static_cast<std::uint32_t>(cases.size()) + 7);
+    tests::Random random(static_cast<std::uint32_t>(cases.size()) + 7);
     const auto d = static_cast<std::size_t>(degree);
     Case open{export_automaton(name, system, degree, WordChoice::Persistent, max_states), {}, {}};
     Case closed{{name + " closed", system, "word", make_automaton(system, degree, {}, max_states), 1}, {}, {}};
@@ -84,7 +84,7 @@ const std::vector<Case>& all_cases() {
         const std::multimap<std::string, int> degrees{{"fibonacci", 1},   {"fibonacci", 2},     {"fibonacci", 3},
                                                       {"fibonacci", 5},   {"bisection", 3},     {"tribonacci", 2},
                                                       {"silver-mean", 4}, {"slow-growth-4", 3}, {"period-doubling", 6}};
-        for (const auto& [name, system] : reference::bundled_systems())
+        for (const auto& [name, system] : tests::bundled_systems())
             for (auto [one, end] = degrees.equal_range(name); one != end; ++one)
                 add_cases(made, name, system, one->second);
         return made;
@@ -241,7 +241,7 @@ TEST(ExportedC, GivesTheLibrarysBytesWithClang) {
 
 TEST(ExportedC, RefusesWordsThatItsTablesDoNotKnow) {
     const Folder here;
-    const IntervalSystem fibonacci = reference::system_of("L->SL, S->L");
+    const IntervalSystem fibonacci = tests::system_of("L->SL, S->L");
     (void)here.file("f.h", automaton_c(export_automaton("f", fibonacci, 2, WordChoice::Persistent, max_states), maker));
     const std::string source = here.file("main.c", R"(#include "f.h"
 static int cells(const char *text, int closed)

@@ -71,5 +71,27 @@ TEST(MaskTable, RefusesWhatDoesNotFit) {
     EXPECT_NO_THROW((void)make_mask_table(with_axiom, 1, WordChoice::Default, plenty));
 }
 
+TEST(MaskTable, CountsItsExactWorkBeforeItStarts) {
+    for (const WordChoice choice : {WordChoice::Persistent, WordChoice::All}) {
+        const IntervalSystem system = system_of(fibonacci);
+        ExactLimits limits(plenty);
+        std::uint64_t work = 0;
+        limits.announce = [&](std::uint64_t announced) { work = announced; };
+        const MaskTable table = make_mask_table(system, 3, choice, limits);
+        ExactCounts derived;
+        for (const Mask& mask : table.masks) derived.rows += mask.entries.size();
+        for (const WindowRow& window : table.windows)
+            derived.rows += 1 + window.stencils.children.size() + window.stencils.leading.size();
+        EXPECT_GE(work, exact_work(system, 3, derived));
+        limits.work = work - 1;
+        EXPECT_THROW((void)make_mask_table(system, 3, choice, limits), TooMuchWork);
+    }
+}
+
+TEST(MaskTable, OfWholeMinutesIsRefused) {
+    const IntervalSystem tribonacci = system_of("A->AB, B->AC, C->A");
+    EXPECT_THROW((void)make_mask_table(tribonacci, 6, WordChoice::All, 200'000), TooMuchWork);
+}
+
 } // namespace
 } // namespace internode

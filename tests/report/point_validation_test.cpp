@@ -3,6 +3,7 @@
 #include "internode/grammar/points/parse_points.h"
 #include "internode/report/json/point_validation_json.h"
 #include "internode/report/text/point_validation_text.h"
+#include "tests/fixtures/point_systems.h"
 #include "tests/report/systems.h"
 
 #include <gmock/gmock.h>
@@ -12,20 +13,15 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-PointGrammar grammar_of(std::string_view text) {
-    ParsedPointGrammar parsed = parse_point_grammar(text, "test.lsys");
-    EXPECT_TRUE(parsed.grammar) << to_string(parsed.errors);
-    return std::move(parsed.grammar).value();
-}
+using tests::point_grammar;
 
 std::string text_of(std::string_view text) {
-    const PointGrammar grammar = grammar_of(text);
+    const PointGrammar grammar = point_grammar(text);
     return point_validation_text(make_point_validation(grammar), grammar, {text, "test.lsys"});
 }
 
 std::string json_of(std::string_view text) {
-    const PointGrammar grammar = grammar_of(text);
+    const PointGrammar grammar = point_grammar(text);
     return point_validation_json(make_point_validation(grammar), grammar, {text, "test.lsys"},
                                  {"0.1.0", "internode validate"});
 }
@@ -73,7 +69,7 @@ TEST(PointValidationText, ListsAtMostTwentyFindings) {
 }
 
 TEST(PointValidationText, ShowsNamesWithoutObeyingThem) {
-    PointGrammar grammar = grammar_of(chaikin);
+    PointGrammar grammar = point_grammar(chaikin);
     grammar.name = testing_report::hostile;
     const std::string text =
         point_validation_text(make_point_validation(grammar), grammar, {chaikin, testing_report::hostile});
@@ -82,7 +78,7 @@ TEST(PointValidationText, ShowsNamesWithoutObeyingThem) {
 }
 
 TEST(PointValidationJson, IsInert) {
-    PointGrammar grammar = grammar_of(chaikin);
+    PointGrammar grammar = point_grammar(chaikin);
     grammar.name = testing_report::hostile;
     testing_report::expect_inert(point_validation_json(make_point_validation(grammar), grammar,
                                                        {chaikin, testing_report::hostile}, {"0.1.0", "internode"}));
@@ -107,7 +103,7 @@ TEST(PointValidationJson, FindingsHaveTheirPlace) {
 
 TEST(PlaceText, NamesEveryPart) {
     const PointGrammar grammar =
-        grammar_of("points\naxiom P((0, 0))\ninput P(v)\nq: P(v) -> P(v) P(v)\ninterpretation\nP(v) -> Q(v)\n");
+        point_grammar("points\naxiom P((0, 0))\ninput P(v)\nq: P(v) -> P(v) P(v)\ninterpretation\nP(v) -> Q(v)\n");
     EXPECT_EQ(place_text(grammar, {.part = GrammarPart::Axiom}), "the axiom, module 1");
     EXPECT_EQ(place_text(grammar, {.part = GrammarPart::Input}), "the input, module 1");
     EXPECT_EQ(place_text(grammar, {.part = GrammarPart::Rule, .module = 1}), "rule 1 (`q`), module 2");

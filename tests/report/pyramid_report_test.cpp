@@ -3,20 +3,23 @@
 #include "internode/report/pyramid_report.h"
 
 #include "internode/curve/refinement.h"
-#include "tests/reference/random_curve.h"
-#include "tests/reference/systems.h"
+#include "internode/report/json/pyramid_json.h"
+#include "internode/report/picture/pyramid_picture.h"
+#include "internode/report/text/pyramid_text.h"
+#include "tests/fixtures/interval_systems.h"
+#include "tests/fixtures/random_curve.h"
 
 #include <gmock/gmock.h>
 
 namespace internode {
 namespace {
 
-using reference::fibonacci;
-using reference::Random;
-using reference::random_curve;
-using reference::Shape;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using tests::fibonacci;
+using tests::Random;
+using tests::random_curve;
+using tests::Shape;
 
 PyramidReport report_of(Shape shape, std::size_t dimension, std::size_t kept_details, const Fitting& fitting = {}) {
     Random random(3);

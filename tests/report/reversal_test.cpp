@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 
+#include "internode/report/json/reversal_json.h"
 #include "internode/report/picture/reversal_picture.h"
-#include "internode/report/reversal_report.h"
+#include "internode/report/text/reversal_text.h"
 
 #include <stdexcept>
 

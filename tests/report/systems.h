@@ -5,8 +5,7 @@
 #pragma once
 
 #include "internode/curve/curve.h"
-#include "internode/grammar/intervals/parse.h"
-#include "internode/interval/validity.h"
+#include "tests/fixtures/interval_systems.h"
 
 #include <gtest/gtest.h>
 
@@ -17,15 +16,8 @@ namespace internode::testing_report {
 /// A name that is markup in every language of this room, and invisible where it can be.
 inline const std::string hostile = "</script><img src=x onerror=\"a'b\">]]>*/\\N&amp;\x1b[2J\xE2\x80\xAE\xFF";
 
-inline IntervalGrammar grammar_of(const std::string& text) {
-    const ParsedGrammar parsed = parse_grammar(text, "<test>");
-    EXPECT_TRUE(parsed.grammar) << to_string(parsed.errors);
-    return parsed.grammar.value();
-}
-
-inline IntervalSystem system_of(const std::string& text) {
-    return validate(grammar_of(text)).system.value();
-}
+using tests::grammar_of;
+using tests::system_of;
 
 inline const std::string fibonacci = "intervals fibonacci\nL -> S L\nS -> L\n";
 inline const std::string slow_growth = "intervals slow\nA1 -> A3 A3\nA2 -> A1\nA3 -> A2\n";

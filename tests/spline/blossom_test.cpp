@@ -2,8 +2,8 @@
 
 #include "internode/spline/blossom.h"
 
+#include "tests/fixtures/interval_systems.h"
 #include "tests/reference/marsden.h"
-#include "tests/reference/systems.h"
 
 #include <gmock/gmock.h>
 
@@ -15,9 +15,9 @@ namespace internode {
 namespace {
 
 using reference::polar_power;
-using reference::system_of;
-using reference::word_of;
 using testing::ElementsAre;
+using tests::system_of;
+using tests::word_of;
 
 std::vector<Number> integers(const std::vector<long>& values) {
     return {values.begin(), values.end()};

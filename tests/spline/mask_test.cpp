@@ -4,8 +4,9 @@
 
 #include "internode/spline/blossom.h"
 #include "internode/word/factors.h"
+#include "tests/fixtures/interval_systems.h"
+#include "tests/fixtures/stride.h"
 #include "tests/reference/step_matrix.h"
-#include "tests/reference/systems.h"
 
 #include <gmock/gmock.h>
 
@@ -15,8 +16,8 @@ namespace internode {
 namespace {
 
 using reference::boehm_rows;
-using reference::system_of;
-using reference::word_of;
+using tests::system_of;
+using tests::word_of;
 
 bool has_length(const Word& word) {
     return std::ranges::any_of(word, [](Symbol letter) { return letter != zero_interval; });
@@ -74,17 +75,13 @@ TEST(Mask, OfUniformBisectionIsBinomial) {
 TEST(Mask, AgreesWithKnotInsertionWhereIntervalsAreEmpty) {
     const IntervalSystem fibonacci = system_of("L->SL, S->L");
     for (std::size_t m = 2; m <= 5; ++m)
-        for (const Word& word : reference::words_with_zeros(2, m))
+        for (const Word& word : tests::words_with_zeros(2, m))
             if (has_length(word)) expect_mask(fibonacci, word);
 }
 
 TEST(Mask, AgreesWithKnotInsertionForEveryBundledGrammar) {
-#ifdef INTERNODE_SANITIZED
-    constexpr std::size_t largest_degree = 4;
-#else
-    constexpr std::size_t largest_degree = 6;
-#endif
-    for (const auto& [name, system] : reference::bundled_systems()) {
+    const std::size_t largest_degree = tests::in_full() ? 6 : 4;
+    for (const auto& [name, system] : tests::bundled_systems()) {
         SCOPED_TRACE(name);
         for (std::size_t d = 1; d <= largest_degree; ++d) {
             const std::vector<Word> words = persistent_words(system.rules(), d + 1, 100'000);

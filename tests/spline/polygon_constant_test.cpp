@@ -4,8 +4,8 @@
 
 #include "internode/spline/blossom.h"
 #include "internode/word/factors.h"
+#include "tests/fixtures/interval_systems.h"
 #include "tests/reference/marsden.h"
-#include "tests/reference/systems.h"
 
 #include <gmock/gmock.h>
 
@@ -15,8 +15,8 @@ namespace internode {
 namespace {
 
 using reference::polar_power;
-using reference::system_of;
-using reference::word_of;
+using tests::system_of;
+using tests::word_of;
 
 TEST(PolygonConstant, OfFibonacciIsExact) {
     const IntervalSystem fibonacci = system_of("L->SL, S->L");
@@ -52,7 +52,7 @@ TEST(PolygonConstant, OfDegreeOneIsZero) {
 
 TEST(PolygonConstant, IsTheDistanceOfAParabola) {
     // s = t²: s(ξ) - v = c s'' with s'' = 2 and v the blossom of t² at the inner knots.
-    for (const auto& [name, text] : reference::sample_systems()) {
+    for (const auto& [name, text] : tests::sample_systems()) {
         const IntervalSystem system = system_of(text);
         for (std::size_t d = 2; d <= 5; ++d) {
             for (const Word& inner : persistent_words(system.rules(), d - 1, 100'000)) {

@@ -6,10 +6,11 @@
 #include "internode/spline/mask.h"
 #include "internode/spline/window.h"
 #include "internode/word/factors.h"
+#include "tests/fixtures/interval_systems.h"
+#include "tests/fixtures/small_grammars.h"
+#include "tests/fixtures/stride.h"
 #include "tests/reference/nearest.h"
-#include "tests/reference/small_grammars.h"
 #include "tests/reference/step_matrix.h"
-#include "tests/reference/systems.h"
 
 #include <gmock/gmock.h>
 
@@ -20,11 +21,7 @@
 namespace internode {
 namespace {
 
-#ifdef INTERNODE_SANITIZED
-constexpr std::size_t grammar_stride = 50;
-#else
-constexpr std::size_t grammar_stride = 1;
-#endif
+const std::size_t grammar_stride = tests::stride();
 constexpr std::size_t every_word = std::numeric_limits<std::size_t>::max();
 
 /// `count` of the words at most, evenly spread; which ones depends on `shift`.
@@ -38,7 +35,7 @@ std::vector<Word> sample(const std::vector<Word>& words, std::size_t count, std:
 /// Calls visit(system, i) for the valid ones of the grammars, i their number.
 template<typename Visit>
 void for_valid_grammars(Visit visit) {
-    const std::vector<IntervalGrammar> grammars = reference::small_grammars(3, 3);
+    const std::vector<IntervalGrammar> grammars = tests::small_grammars(3, 3);
     std::size_t valid = 0;
     for (std::size_t i = 0; i < grammars.size() && !testing::Test::HasFailure(); i += grammar_stride) {
         const Verdict verdict = validate(grammars[i]);
@@ -110,11 +107,11 @@ void expect_window_by_insertion(const IntervalSystem& system, const Word& window
 }
 
 TEST(SmallGrammars, AreAsManyAsCounted) {
-    EXPECT_EQ(reference::small_grammars(1, 3).size(), 3U);
+    EXPECT_EQ(tests::small_grammars(1, 3).size(), 3U);
     std::size_t all = 0;
     for (std::size_t n = 1; n <= 3; ++n) {
         std::size_t grammars = 1;
-        for (std::size_t i = 0; i < n; ++i) grammars *= reference::short_words(n, 3).size();
+        for (std::size_t i = 0; i < n; ++i) grammars *= tests::short_words(n, 3).size();
         all += grammars;
     }
     EXPECT_EQ(all, 59'518U);

@@ -3,9 +3,10 @@
 #include "internode/spline/window.h"
 
 #include "internode/word/factors.h"
+#include "tests/fixtures/interval_systems.h"
+#include "tests/fixtures/stride.h"
 #include "tests/reference/marsden.h"
 #include "tests/reference/step_matrix.h"
-#include "tests/reference/systems.h"
 
 #include <gmock/gmock.h>
 
@@ -16,9 +17,9 @@ namespace internode {
 namespace {
 
 using reference::polar_power;
-using reference::system_of;
-using reference::word_of;
 using testing::ElementsAre;
+using tests::system_of;
+using tests::word_of;
 
 std::vector<Word> persistent_windows(const IntervalSystem& system, std::size_t d) {
     return persistent_words(system.rules(), 2 * d - 1, 100'000);
@@ -91,12 +92,8 @@ TEST(Window, UniformCubicHasTheMasksOfCatmullAndClark) {
 }
 
 TEST(Window, RowsReproducePolynomialsForEveryBundledGrammar) {
-#ifdef INTERNODE_SANITIZED
-    constexpr std::size_t largest_degree = 4;
-#else
-    constexpr std::size_t largest_degree = 6;
-#endif
-    for (const auto& [name, system] : reference::bundled_systems()) {
+    const std::size_t largest_degree = tests::in_full() ? 6 : 4;
+    for (const auto& [name, system] : tests::bundled_systems()) {
         SCOPED_TRACE(name);
         for (std::size_t d = 1; d <= largest_degree; ++d) {
             const std::vector<Word> all = persistent_windows(system, d);
@@ -109,7 +106,7 @@ TEST(Window, RowsReproducePolynomialsForEveryBundledGrammar) {
 TEST(Window, RowsReproducePolynomialsBetweenEmptyIntervals) {
     const IntervalSystem fibonacci = system_of("L->SL, S->L");
     for (std::size_t d = 1; d <= 3; ++d)
-        for (const Word& window : reference::words_with_zeros(2, 2 * d - 1))
+        for (const Word& window : tests::words_with_zeros(2, 2 * d - 1))
             if (window[d - 1] != zero_interval) expect_window(fibonacci, window);
 }
 
@@ -244,7 +241,7 @@ void expect_derivatives(const IntervalSystem& system, const Word& window) {
 }
 
 TEST(DerivativeRows, DifferentiatePolynomialsForEveryBundledGrammar) {
-    for (const auto& [name, system] : reference::bundled_systems()) {
+    for (const auto& [name, system] : tests::bundled_systems()) {
         SCOPED_TRACE(name);
         for (std::size_t d = 1; d <= 4; ++d) {
             const std::vector<Word> all = persistent_windows(system, d);
@@ -257,7 +254,7 @@ TEST(DerivativeRows, DifferentiatePolynomialsForEveryBundledGrammar) {
 TEST(DerivativeRows, DifferentiatePolynomialsBetweenEmptyIntervals) {
     const IntervalSystem fibonacci = system_of("L->SL, S->L");
     for (std::size_t d = 1; d <= 3; ++d)
-        for (const Word& window : reference::words_with_zeros(2, 2 * d - 1))
+        for (const Word& window : tests::words_with_zeros(2, 2 * d - 1))
             if (window[d - 1] != zero_interval) expect_derivatives(fibonacci, window);
 }
 

@@ -2,10 +2,12 @@
 
 #include "internode/stencil/automaton.h"
 
+#include "internode/algebra/fraction.h"
 #include "internode/spline/window.h"
+#include "tests/fixtures/interval_systems.h"
+#include "tests/fixtures/stride.h"
 #include "tests/reference/nearest.h"
 #include "tests/reference/step_matrix.h"
-#include "tests/reference/systems.h"
 
 #include <gmock/gmock.h>
 
@@ -20,9 +22,9 @@ using reference::gather_matrix;
 using reference::Matrix;
 using reference::product;
 using reference::scatter_matrix;
-using reference::system_of;
-using reference::word_of;
 using testing::ElementsAre;
+using tests::system_of;
+using tests::word_of;
 
 constexpr std::size_t many_states = 1'000'000;
 
@@ -132,7 +134,7 @@ TEST(Automaton, SharesEqualRows) {
 }
 
 TEST(Automaton, GivesEveryStateItsWindowsRows) {
-    for (const auto& [name, text] : reference::sample_systems()) {
+    for (const auto& [name, text] : tests::sample_systems()) {
         SCOPED_TRACE(name);
         const IntervalSystem system = system_of(text);
         for (int degree = 1; degree <= 4; ++degree) {
@@ -158,7 +160,7 @@ TEST(Automaton, GivesEveryStateItsWindowsRows) {
 }
 
 TEST(Automaton, RoundsEveryWeightOnce) {
-    for (const auto& [name, text] : reference::sample_systems()) {
+    for (const auto& [name, text] : tests::sample_systems()) {
         const IntervalSystem system = system_of(text);
         const std::vector<CellState> cells = cell_states(some_word(system, 12), 4, Ends::Open);
         const StencilAutomaton automaton = make_automaton(system, 4, cells, many_states);
@@ -193,7 +195,7 @@ TEST(Automaton, RefusesStatesThatAreNone) {
 }
 
 TEST(Step, OfAClosedWordIsTheSameGatheredScatteredAndInserted) {
-    for (const auto& [name, text] : reference::sample_systems()) {
+    for (const auto& [name, text] : tests::sample_systems()) {
         SCOPED_TRACE(name);
         const IntervalSystem system = system_of(text);
         for (int degree = 1; degree <= 4; ++degree)
@@ -203,7 +205,7 @@ TEST(Step, OfAClosedWordIsTheSameGatheredScatteredAndInserted) {
 }
 
 TEST(Step, OfAnOpenWordIsTheSameGatheredScatteredAndInserted) {
-    for (const auto& [name, text] : reference::sample_systems()) {
+    for (const auto& [name, text] : tests::sample_systems()) {
         SCOPED_TRACE(name);
         const IntervalSystem system = system_of(text);
         for (int degree = 1; degree <= 4; ++degree)
@@ -233,7 +235,7 @@ TEST(Step, WithEmptyIntervalsIsTheSameGatheredScatteredAndInserted) {
 
 TEST(Step, OfClosedWordsWithAnyZerosIsTheSameByThreeRoutes) {
     const IntervalSystem fibonacci = system_of("L->SL, S->L");
-    for (const Word& word : reference::words_with_zeros(2, 5)) {
+    for (const Word& word : tests::words_with_zeros(2, 5)) {
         for (int degree = 1; degree <= 3; ++degree) {
             try {
                 (void)cell_states(word, degree, Ends::Circular);
@@ -258,7 +260,7 @@ TEST(Step, OfAClampedWordKeepsItsEnds) {
 }
 
 TEST(Step, TwiceIsOneStepOfTheSquaredSystem) {
-    for (const auto& [name, text] : reference::sample_systems()) {
+    for (const auto& [name, text] : tests::sample_systems()) {
         SCOPED_TRACE(name);
         const IntervalSystem once = system_of(text);
         IntervalGrammar grammar = once.grammar();
@@ -299,11 +301,7 @@ TEST(Step, TwiceIsOneStepOfTheSquaredSystem) {
 }
 
 TEST(Automaton, OfManySymbolsHasAFewStatesEach) {
-#ifdef INTERNODE_SANITIZED
-    constexpr std::size_t symbols = 200;
-#else
-    constexpr std::size_t symbols = 5000;
-#endif
+    const std::size_t symbols = tests::in_full() ? 5000 : 200;
     IntervalGrammar grammar;
     std::vector<Word> rules;
     Word word;
@@ -311,7 +309,7 @@ TEST(Automaton, OfManySymbolsHasAFewStatesEach) {
         const Symbol symbol = grammar.alphabet.add(std::string("A").append(std::to_string(i)));
         rules.push_back({symbol, symbol});
         word.push_back(symbol);
-        grammar.lengths.push_back({symbol, Rational(static_cast<long>(i % 97) + 2, 3)});
+        grammar.lengths.push_back({symbol, fraction(static_cast<long>(i % 97) + 2, 3)});
     }
     grammar.rules = Morphism(rules);
     const Verdict verdict = validate(grammar);

@@ -3,7 +3,7 @@
 #include "internode/stencil/cell_rules.h"
 
 #include "internode/stencil/automaton.h"
-#include "tests/reference/systems.h"
+#include "tests/fixtures/interval_systems.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 namespace internode {
 namespace {
 
-using reference::system_of;
-using reference::word_of;
+using tests::system_of;
+using tests::word_of;
 
 CellRow row(std::ptrdiff_t first, std::vector<Number> weights) {
     return {first, std::move(weights)};

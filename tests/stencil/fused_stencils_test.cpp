@@ -2,7 +2,8 @@
 
 #include "internode/stencil/fused_stencils.h"
 
-#include "tests/reference/systems.h"
+#include "tests/fixtures/interval_systems.h"
+#include "tests/fixtures/stride.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,18 +13,13 @@
 namespace internode {
 namespace {
 
-using reference::bundled_systems;
-using reference::sample_systems;
-using reference::system_of;
-using reference::word_of;
+using tests::bundled_systems;
+using tests::sample_systems;
+using tests::system_of;
+using tests::word_of;
 
-#ifdef INTERNODE_SANITIZED
-constexpr int highest_degree = 3;
-constexpr std::size_t most_rows = 400;
-#else
-constexpr int highest_degree = 5;
-constexpr std::size_t most_rows = 4000;
-#endif
+const int highest_degree = tests::in_full() ? 5 : 3;
+const std::size_t most_rows = tests::in_full() ? 4000 : 400;
 
 std::vector<bool> every(const StencilAutomaton& automaton) {
     return std::vector<bool>(automaton.state_count(), true);
@@ -44,7 +40,8 @@ std::vector<CellState> some_cells(const IntervalSystem& system, int degree) {
 }
 
 /// Each weight against the exact one of the automaton of σᵏ: within the rounding of the nearest double.
-void check_against_exact(const IntervalSystem& system, int degree, int steps, const std::string& name) {
+void check_against_exact(const IntervalSystem& system, int degree, int steps, const std::string& name,
+                         tests::Compared& compared) {
     SCOPED_TRACE(name + ", degree " + std::to_string(degree) + ", steps " + std::to_string(steps));
     const StencilAutomaton automaton = make_automaton(system, degree, some_cells(system, degree), max_states);
     const auto fused = fuse(automaton, system, steps, every(automaton));
@@ -69,20 +66,23 @@ void check_against_exact(const IntervalSystem& system, int degree, int steps, co
                 const double got = fused->weights[row * weights.size() + k];
                 // Half a unit in the last place, and what 106 bits leave of an amplified 0.
                 EXPECT_LE(std::abs(got - weights[k]), 0x1p-53 * weights[k] + 0x1p-60) << "row " << row;
+                ++compared;
             }
         }
     }
 }
 
 TEST(FusedStencils, AreTheRowsOfTheAutomatonOfThePower) {
+    tests::Compared compared;
     for (const auto& [name, text] : sample_systems())
         for (int degree = 1; degree <= highest_degree; ++degree)
-            for (const int steps : {1, 2, 3, 4}) check_against_exact(system_of(text), degree, steps, name);
+            for (const int steps : {1, 2, 3, 4}) check_against_exact(system_of(text), degree, steps, name, compared);
 }
 
 TEST(FusedStencils, AreTheRowsOfTheAutomatonOfThePowerForBundledGrammars) {
+    tests::Compared compared;
     for (const auto& [name, system] : bundled_systems())
-        for (const int steps : {2, 3}) check_against_exact(system, 3, steps, name);
+        for (const int steps : {2, 3}) check_against_exact(system, 3, steps, name, compared);
 }
 
 TEST(FusedStencils, SumToOneWithinTheRoundingOfEachWeight) {

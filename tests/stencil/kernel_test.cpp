@@ -2,7 +2,7 @@
 
 #include "internode/stencil/kernel.h"
 
-#include "tests/reference/random_curve.h"
+#include "tests/fixtures/random_curve.h"
 
 #include <cstdint>
 #include <cstring>
@@ -12,7 +12,7 @@
 namespace internode {
 namespace {
 
-using reference::Random;
+using tests::Random;
 
 template<typename Scalar>
 struct Job {

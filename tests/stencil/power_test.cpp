@@ -4,9 +4,10 @@
 // by point, exactly in K.
 
 #include "internode/stencil/automaton.h"
-#include "tests/reference/small_grammars.h"
+#include "tests/fixtures/interval_systems.h"
+#include "tests/fixtures/small_grammars.h"
+#include "tests/fixtures/stride.h"
 #include "tests/reference/step_matrix.h"
-#include "tests/reference/systems.h"
 
 #include <gmock/gmock.h>
 
@@ -102,25 +103,28 @@ void expect_power_is_repetition_for(const IntervalSystem& system, std::size_t tu
                 expect_power_is_repetition(system, degree, shape, small || turn % 4 == 0 ? 3 : 2);
 }
 
-TEST(Power, IsRepetitionForAllSmallGrammars) {
-#ifdef INTERNODE_SANITIZED
-    constexpr std::size_t stride = 50;
-#else
-    constexpr std::size_t stride = 1;
-#endif
-    const std::vector<IntervalGrammar> grammars = reference::small_grammars(3, 3);
+/// The grammars in shares, so that several run side by side.
+constexpr std::size_t shares = 8;
+
+class PowerOfSmallGrammars : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(PowerOfSmallGrammars, IsRepetition) {
+    const std::size_t step = tests::stride(shares);
+    const std::vector<IntervalGrammar> grammars = tests::small_grammars(3, 3);
     std::size_t valid = 0;
-    for (std::size_t i = 0; i < grammars.size() && !HasFailure(); i += stride) {
+    for (std::size_t i = GetParam(); i < grammars.size() && !HasFailure(); i += step) {
         const Verdict verdict = validate(grammars[i]);
         if (!verdict.system) continue;
         SCOPED_TRACE(i);
         expect_power_is_repetition_for(*verdict.system, valid++);
     }
-    EXPECT_GT(valid, grammars.size() / stride / 4);
+    EXPECT_GT(valid, grammars.size() / step / 4);
 }
 
+INSTANTIATE_TEST_SUITE_P(All, PowerOfSmallGrammars, testing::Range(std::size_t{0}, shares));
+
 TEST(Power, IsRepetitionForEveryBundledGrammar) {
-    for (const auto& [name, system] : reference::bundled_systems()) {
+    for (const auto& [name, system] : tests::bundled_systems()) {
         SCOPED_TRACE(name);
         for (int degree = 1; degree <= 3; ++degree)
             for (const Shape shape : shapes) expect_power_is_repetition(system, degree, shape);
@@ -128,13 +132,13 @@ TEST(Power, IsRepetitionForEveryBundledGrammar) {
 }
 
 TEST(Power, IsRepetitionBetweenEmptyIntervals) {
-    const IntervalSystem fibonacci = reference::system_of("L->SL, S->L");
+    const IntervalSystem fibonacci = tests::system_of("L->SL, S->L");
     for (const char* word : {"LS0L", "L00SS0", "S000LL", "0LS00"})
-        expect_power_is_repetition(fibonacci, reference::word_of(fibonacci, word), 3, Ends::Circular);
+        expect_power_is_repetition(fibonacci, tests::word_of(fibonacci, word), 3, Ends::Circular);
 }
 
 TEST(Power, HasTheProductOfTheStepMatrices) {
-    const IntervalSystem fibonacci = reference::system_of("L->SL, S->L");
+    const IntervalSystem fibonacci = tests::system_of("L->SL, S->L");
     for (int degree = 1; degree <= 3; ++degree) {
         for (const Ends ends : {Ends::Circular, Ends::Open}) {
             const Word word = some_word(fibonacci, 2 * static_cast<std::size_t>(degree) + 3);
@@ -147,8 +151,8 @@ TEST(Power, HasTheProductOfTheStepMatrices) {
 }
 
 TEST(Automaton, AnswersQuestionsAboutItsRows) {
-    const IntervalSystem fibonacci = reference::system_of("L->SL, S->L");
-    const Word word = clamped_word(reference::word_of(fibonacci, "LSLLSLSL"), 3);
+    const IntervalSystem fibonacci = tests::system_of("L->SL, S->L");
+    const Word word = clamped_word(tests::word_of(fibonacci, "LSLLSLSL"), 3);
     const std::vector<CellState> cells = cell_states(word, 3, Ends::Open);
     const StencilAutomaton automaton = make_automaton(fibonacci, 3, cells, many_states);
     std::vector<Word> windows;

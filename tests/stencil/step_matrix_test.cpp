@@ -2,16 +2,16 @@
 
 #include "internode/stencil/step_matrix.h"
 
+#include "tests/fixtures/interval_systems.h"
 #include "tests/reference/step_matrix.h"
-#include "tests/reference/systems.h"
 
 #include <gtest/gtest.h>
 
 namespace internode {
 namespace {
 
-using reference::system_of;
-using reference::word_of;
+using tests::system_of;
+using tests::word_of;
 
 /// Degree, word and ends of a few steps: closed, short enough to wrap, open, clamped, with a double knot.
 struct Job {

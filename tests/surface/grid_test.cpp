@@ -2,7 +2,7 @@
 
 #include "internode/surface/grid.h"
 
-#include "tests/reference/random_grid.h"
+#include "tests/fixtures/random_grid.h"
 
 #include <gmock/gmock.h>
 #include <limits>
@@ -10,10 +10,10 @@
 namespace internode {
 namespace {
 
-using reference::fibonacci;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
+using tests::fibonacci;
 
 constexpr Symbol a{0};
 constexpr Symbol b{1};

@@ -3,7 +3,7 @@
 #include "internode/surface/reverse.h"
 
 #include "internode/surface/refinement.h"
-#include "tests/reference/random_grid.h"
+#include "tests/fixtures/random_grid.h"
 
 #include <gmock/gmock.h>
 
@@ -13,11 +13,11 @@
 namespace internode {
 namespace {
 
-using reference::fibonacci;
-using reference::Random;
-using reference::random_grid;
-using reference::random_knots;
-using reference::Shape;
+using tests::fibonacci;
+using tests::Random;
+using tests::random_grid;
+using tests::random_knots;
+using tests::Shape;
 
 constexpr Shape whole[] = {Shape::Closed, Shape::Clamped};
 
@@ -80,7 +80,7 @@ TEST(GridReverse, WithoutDetailsIsTheRefinementOfTheCoarseGrid) {
         else
             coefficients[k] = 0;
     }
-    const Grid fine = refine(reference::grid_of({hierarchy.u, hierarchy.v, 1, false, coarse}), 3, 2);
+    const Grid fine = refine(tests::grid_of({hierarchy.u, hierarchy.v, 1, false, coarse}), 3, 2);
     const std::vector<double> approximation = recomposed(hierarchy, 1, coefficients);
     for (std::size_t k = 0; k < coefficients.size(); ++k) EXPECT_NEAR(approximation[k], fine.points()[k], 1e-12);
 }

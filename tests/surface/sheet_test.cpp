@@ -2,16 +2,16 @@
 
 #include "internode/surface/sheet.h"
 
-#include "tests/reference/random_grid.h"
+#include "tests/fixtures/random_grid.h"
 
 #include <gmock/gmock.h>
 
 namespace internode {
 namespace {
 
-using reference::fibonacci;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using tests::fibonacci;
 
 constexpr Symbol a{0};
 constexpr Symbol b{1};
@@ -21,7 +21,7 @@ constexpr Symbol o = zero_interval;
 Sheet sheet_of(int degree, Ends ends, Word word) {
     const Knots u = make_knots(fibonacci(), {degree, ends, std::move(word)}).knots.value();
     const Knots v = make_knots(fibonacci(), {1, Ends::Circular, {a}}).knots.value();
-    return control_sheet(reference::grid_of({u, v, 1, false, std::vector<double>(u.size())}));
+    return control_sheet(tests::grid_of({u, v, 1, false, std::vector<double>(u.size())}));
 }
 
 TEST(Sheet, JoinsTheLastRowOfAClosedDirectionToItsFirst) {
@@ -47,7 +47,7 @@ TEST(Sheet, JoinsNothingAcrossABreak) {
 TEST(Sheet, GoesRoundItsFacesFromUToV) {
     const Knots u = make_knots(fibonacci(), {1, Ends::Open, {a, a, a}}).knots.value();
     const Knots v = make_knots(fibonacci(), {1, Ends::Circular, {a, a, a}}).knots.value();
-    const Sheet sheet = control_sheet(reference::grid_of({u, v, 1, false, std::vector<double>(6)}));
+    const Sheet sheet = control_sheet(tests::grid_of({u, v, 1, false, std::vector<double>(6)}));
     ASSERT_EQ(sheet.faces(), 3u);
     EXPECT_THAT(sheet.face(0), ElementsAre(0, 3, 4, 1));
     EXPECT_THAT(sheet.face(2), ElementsAre(2, 5, 3, 0));
@@ -55,7 +55,7 @@ TEST(Sheet, GoesRoundItsFacesFromUToV) {
 
 TEST(Sheet, HasPointsInSpace) {
     const Knots one = make_knots(fibonacci(), {1, Ends::Circular, {a}}).knots.value();
-    const Sheet sheet = control_sheet(reference::grid_of({one, one, 4, true, {2, 4, 6, 2}}));
+    const Sheet sheet = control_sheet(tests::grid_of({one, one, 4, true, {2, 4, 6, 2}}));
     EXPECT_EQ(sheet.dimension, 3u);
     EXPECT_THAT(sheet.points, ElementsAre(1, 2, 3));
     EXPECT_THAT(sheet.normals, IsEmpty());

@@ -7,8 +7,9 @@
 #include "internode/io/json/input_grid.h"
 #include "internode/surface/limit.h"
 #include "internode/surface/refinement.h"
-#include "tests/reference/random_curve.h"
+#include "tests/fixtures/random_curve.h"
 #include "tests/fixtures/source_folder.h"
+#include "tests/fixtures/stride.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,11 +21,7 @@ namespace {
 constexpr double major_radius = 2;
 constexpr double tolerance = 1e-13;
 
-#ifdef INTERNODE_SANITIZED
-constexpr int deep = 7;
-#else
-constexpr int deep = 10;
-#endif
+const int deep = tests::in_full() ? 10 : 7;
 
 InputGrid torus_file() {
     const InputText input = read_input(tests::in_source_folder("data/grids/torus.json"));
@@ -37,7 +34,7 @@ Knots side_knots(const InputGrid& file, std::size_t side, const std::string& rul
     KnotVector vector{
         .degree = degree, .ends = Ends::Open, .points = side == 0 ? file.rows : file.columns, .knots = {}};
     for (const InputNumber& knot : file.sides[side].knots.value()) vector.knots.emplace_back(knot.front());
-    const KnotWord word = fit_knots(reference::system_with({rule}), vector).fitted.value();
+    const KnotWord word = fit_knots(tests::system_with({rule}), vector).fitted.value();
     return make_knots(word.system, {degree, Ends::Open, word.word}).knots.value();
 }
 

@@ -67,6 +67,16 @@ TEST(Diagnostic, CutsALongLineRoundTheCaret) {
     EXPECT_EQ(to_string(at(1, line)), "a.lsys:3:1: error: wrong\n    " + std::string(100, 'a') + "...\n    ^\n");
 }
 
+TEST(Diagnostic, CutsALongLineByItsColumnsNotItsCharacters) {
+    // Of a letter and 40 characters of two columns each, 30 fit into the 60 columns before the caret.
+    std::string wide;
+    for (int i = 0; i < 30; ++i) wide += "\xE4\xBA\x8C";
+    std::string line = "a" + wide;
+    for (int i = 0; i < 10; ++i) line += "\xE4\xBA\x8C";
+    EXPECT_EQ(to_string(at(42, line + "!")),
+              "a.lsys:3:42: error: wrong\n    ..." + wide + "!\n" + std::string(67, ' ') + "^\n");
+}
+
 TEST(Diagnostic, KnowsAPartOfALine) {
     Diagnostic error = at(1003, "xx!yy");
     error.source_column = 1001;

@@ -2,6 +2,8 @@
 
 #include "internode/text/number.h"
 
+#include "tests/fixtures/stride.h"
+
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -15,11 +17,7 @@
 namespace internode {
 namespace {
 
-#ifdef INTERNODE_SANITIZED
-constexpr int random_doubles = 50'000;
-#else
-constexpr int random_doubles = 1'000'000;
-#endif
+const int random_doubles = tests::times(1'000'000);
 
 std::uint64_t bits(double value) {
     return std::bit_cast<std::uint64_t>(value);

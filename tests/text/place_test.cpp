@@ -2,7 +2,7 @@
 
 #include "internode/text/place.h"
 
-#include "internode/io/limits.h"
+#include "internode/io/file/limits.h"
 
 #include <gtest/gtest.h>
 

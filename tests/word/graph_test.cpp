@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 
 #include "internode/word/graph.h"
-#include "tests/reference/words.h"
+#include "tests/fixtures/words.h"
+#include "tests/reference/persistent_words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

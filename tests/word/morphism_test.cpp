@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 
 #include "internode/word/morphism.h"
-#include "tests/reference/words.h"
+#include "tests/fixtures/words.h"
+#include "tests/reference/persistent_words.h"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
 using namespace internode;
-using reference::morphism;
-using reference::word;
+using tests::morphism;
+using tests::word;
 
 namespace {
 
@@ -32,7 +33,7 @@ TEST(Morphism, RewritesAllLettersAtOnceAndKeepsZeros) {
 }
 
 TEST(Morphism, TurnsConcatenationIntoConcatenation) {
-    for (const Morphism& system : reference::all_systems(2, 2))
+    for (const Morphism& system : tests::all_systems(2, 2))
         for (const char* left : {"", "a", "ab0"})
             for (const char* right : {"", "b", "0ba"})
                 EXPECT_EQ(system(concatenated(word(left), word(right))),
@@ -53,7 +54,7 @@ TEST(Morphism, RefusesTheImageOfAForeignLetter) {
 }
 
 TEST(MorphismPower, IsTheMorphismAppliedSoManyTimes) {
-    for (const Morphism& system : reference::all_systems(2, 2)) {
+    for (const Morphism& system : tests::all_systems(2, 2)) {
         Word expected = word("a0b");
         for (int exponent = 1; exponent <= 4; ++exponent) {
             expected = system(expected);
@@ -68,7 +69,7 @@ TEST(MorphismPower, RefusesPowersBelowOne) {
 }
 
 TEST(LetterCounts, AreThoseOfTheWordItself) {
-    for (const Morphism& system : reference::all_systems(2, 3)) {
+    for (const Morphism& system : tests::all_systems(2, 3)) {
         Word current = word("ab0a");
         for (std::uint64_t steps = 0; steps <= 4; ++steps) {
             const LetterCounts expected = letter_counts(system, current);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 
 #include "internode/word/symbol.h"
-#include "tests/reference/words.h"
+#include "tests/fixtures/words.h"
+#include "tests/reference/persistent_words.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,7 @@
 #include <unordered_set>
 
 using namespace internode;
-using reference::word;
+using tests::word;
 
 TEST(Alphabet, NumbersNamesInTheOrderOfTheirAppearance) {
     Alphabet alphabet;

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
+//
+// The arithmetic is e-antic's: an element is a polynomial in the root, compared by enclosures of the root that are
+// refined until they decide. What is kept here is the field of degree 1, which e-antic gets wrong, and the rounding.
 
 #include "internode/algebra/number.h"
 
+#include "internode/algebra/fraction.h"
 #include "internode/algebra/polynomial.h"
 
 #include <e-antic/renf_class.hpp>
 #include <e-antic/renf_elem_class.hpp>
 
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -43,6 +48,7 @@ constexpr int embedding_bits = 128;
 
 /// The real root in [lower, upper] of an irreducible polynomial of degree 2 or more.
 RootBox isolate(const std::vector<Integer>& polynomial, const Rational& lower, const Rational& upper) {
+    assert(polynomial.size() > 2 && lower <= upper);
     // Neither end is a root (roots are irrational), so boxes small enough are inside or outside.
     for (int bits = embedding_bits;; bits *= 2) {
         std::vector<RootBox> inside;
@@ -59,6 +65,7 @@ RootBox isolate(const std::vector<Integer>& polynomial, const Rational& lower, c
 }
 
 void set_dyadic(arf_struct* result, const Rational& value) {
+    assert(mpz_popcount(value.get_den_mpz_t()) == 1);
     fmpz_t numerator;
     fmpz_init(numerator);
     fmpz_set_mpz(numerator, value.get_num_mpz_t());
@@ -68,6 +75,7 @@ void set_dyadic(arf_struct* result, const Rational& value) {
 }
 
 boost::intrusive_ptr<const eantic::renf_class> make_field(const std::vector<Integer>& polynomial, const RootBox& root) {
+    assert(polynomial.size() > 2 && root.lower <= root.upper);
     arf_t lower;
     arf_t upper;
     arb_t embedding;
@@ -110,6 +118,7 @@ auto apply(const eantic::renf_elem_class& a, const eantic::renf_elem_class& b, O
 
 /// Ends of a ball around the number, about 2^-bits apart.
 std::pair<Rational, Rational> ball(const eantic::renf_elem_class& value, slong bits) {
+    assert(bits > 0);
     arb_t approximation;
     fmpz_t lower;
     fmpz_t upper;
@@ -134,6 +143,7 @@ std::pair<Rational, Rational> ball(const eantic::renf_elem_class& value, slong b
     fmpz_clear(upper);
     fmpz_clear(lower);
     arb_clear(approximation);
+    assert(ends.first <= ends.second);
     return ends;
 }
 
@@ -192,11 +202,14 @@ Number::Number(long value)
     : impl_(std::make_unique<Impl>(Impl{eantic::renf_elem_class(value)})) {}
 
 Number::Number(const Rational& value)
-    : impl_(std::make_unique<Impl>(Impl{eantic::renf_elem_class(value)})) {}
+    : impl_(std::make_unique<Impl>(Impl{eantic::renf_elem_class(value)})) {
+    assert(is_canonical(value));
+}
 
 Number::Number(const NumberField& field, const std::vector<Rational>& coefficients) {
     if (coefficients.size() > field.degree())
         throw std::invalid_argument("more coefficients than the degree of the field");
+    assert(std::ranges::all_of(coefficients, is_canonical));
     if (!field.impl_->field)
         *this = coefficients.empty() ? Number() : Number(coefficients.front());
     else if (!coefficients.empty())
@@ -262,10 +275,9 @@ std::vector<Rational> Number::coefficients(const NumberField& field) const {
         throw std::invalid_argument("a number of another field");
     const std::vector<mpz_class> numerators = value.num_vector();
     const mpz_class denominator = value.den();
-    for (std::size_t i = 0; i < numerators.size() && i < result.size(); ++i) {
-        result[i] = Rational(numerators[i], denominator);
-        result[i].canonicalize();
-    }
+    assert(denominator > 0 && numerators.size() <= result.size());
+    for (std::size_t i = 0; i < numerators.size() && i < result.size(); ++i)
+        result[i] = fraction(numerators[i], denominator);
     return result;
 }
 

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
+//
+// Exact: the factor of the characteristic polynomial with the largest real root, roots told apart by refining. Bounds:
+// power iteration in doubles, whose vector is then taken as exact; only the last quotients are rounded, outwards.
 
 #include "internode/algebra/perron.h"
 
+#include "internode/algebra/fraction.h"
 #include "internode/algebra/polynomial.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <stdexcept>
 
@@ -44,6 +49,7 @@ std::vector<RealRoot> largest_real_roots(const std::vector<std::pair<Polynomial,
 RealRoot largest_real_root(const std::vector<std::pair<Polynomial, std::size_t>>& factors) {
     for (int bits = first_bits;; bits *= 2) {
         const std::vector<RealRoot> candidates = largest_real_roots(factors, bits);
+        assert(!candidates.empty());
         const RealRoot& best = *std::ranges::max_element(
             candidates, [](const RealRoot& a, const RealRoot& b) { return a.box.lower < b.box.lower; });
         const bool unique = std::ranges::all_of(candidates, [&](const RealRoot& other) {
@@ -127,6 +133,7 @@ std::vector<double> iterate(const SparseMatrix& matrix, double width) {
 
 /// x_i is at least 1, hence a multiple of 2^-52: the quotients are exact rationals, rounded once and outwards.
 Enclosure certify(const SparseMatrix& matrix, const std::vector<double>& x) {
+    assert(!matrix.empty() && x.size() == matrix.size());
     std::vector<Integer> scaled;
     for (const double value : x) scaled.emplace_back(std::ldexp(value, 52));
     Rational least;
@@ -134,11 +141,12 @@ Enclosure certify(const SparseMatrix& matrix, const std::vector<double>& x) {
     for (std::size_t i = 0; i < x.size(); ++i) {
         Integer sum;
         for (const auto& [column, entry] : matrix[i]) sum += scaled[column] * entry;
-        Rational quotient(sum, scaled[i]);
-        quotient.canonicalize();
+        assert(scaled[i] > 0);
+        const Rational quotient = fraction(sum, scaled[i]);
         if (i == 0 || quotient < least) least = quotient;
         if (i == 0 || quotient > largest) largest = quotient;
     }
+    assert(least <= largest);
     return {Number(least).enclosure().first, Number(largest).enclosure().second};
 }
 

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
+//
+// The work is FLINT's and Arb's: factors by fmpz_poly_factor, roots by arb_fmpz_poly_complex_roots, each a ball whose
+// ends become exact rationals. The classes here only own what those libraries allocate.
 
 #include "internode/algebra/polynomial.h"
+
+#include "internode/algebra/fraction.h"
 
 #include <acb.h>
 #include <arb_fmpz_poly.h>
@@ -9,6 +14,7 @@
 #include <flint/fmpz_poly_factor.h>
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 #include <tuple>
 
@@ -42,6 +48,7 @@ private:
 Polynomial to_polynomial(const fmpz_poly_struct* value) {
     Polynomial polynomial(static_cast<std::size_t>(fmpz_poly_length(value)));
     for (std::size_t i = 0; i < polynomial.size(); ++i) fmpz_get_mpz(polynomial[i].get_mpz_t(), value->coeffs + i);
+    assert(polynomial.empty() || polynomial.back() != 0);
     return polynomial;
 }
 
@@ -65,12 +72,14 @@ private:
 };
 
 Rational to_rational(const arf_struct* value) {
+    assert(arf_is_finite(value) != 0);
     fmpq_t exact;
     fmpq_init(exact);
     arf_get_fmpq(exact, value);
     Rational result;
     fmpq_get_mpq(result.get_mpq_t(), exact);
     fmpq_clear(exact);
+    assert(is_canonical(result));
     return result;
 }
 
@@ -82,6 +91,7 @@ std::pair<Rational, Rational> bounds(const arb_struct* ball) {
     arb_get_ubound_arf(end, ball, 2 * arb_bits(ball) + 64);
     const Rational upper = to_rational(end);
     arf_clear(end);
+    assert(lower <= upper);
     return {lower, upper};
 }
 
@@ -98,8 +108,8 @@ RootBox to_box(acb_srcptr root, int bits) {
 }
 
 RootBox rational_root(const Polynomial& linear) {
-    Rational root(-linear[0], linear[1]);
-    root.canonicalize();
+    assert(linear.size() == 2);
+    const Rational root = fraction(-linear[0], linear[1]);
     const Rational modulus = abs(root);
     return RootBox{true, root, root, modulus, modulus};
 }
@@ -143,6 +153,7 @@ Polynomial multiply(const Polynomial& a, const Polynomial& b) {
 }
 
 std::vector<RootBox> roots(const Polynomial& polynomial, int bits) {
+    assert(bits > 0);
     FlintPolynomial value(polynomial);
     if (fmpz_poly_is_zero(value.get()) != 0 || fmpz_poly_is_squarefree(value.get()) == 0)
         throw std::invalid_argument("only a squarefree polynomial has roots that can be isolated");

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
+//
+// The nearest double is found in integers: the quotient scaled so that its last bit is the unit in the last place, then
+// rounded to even once. No step rounds twice, and subnormals need no case of their own.
 
 #include "internode/algebra/rational.h"
 
+#include "internode/algebra/fraction.h"
+
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -34,13 +40,14 @@ bool take(std::string_view& text, char character) {
 }
 
 Integer to_integer(std::string_view digits) {
+    assert(std::ranges::all_of(digits, is_digit));
     return digits.empty() ? Integer(0) : Integer(std::string(digits), 10);
 }
 
 Rational power_of_ten(int exponent) {
     Integer power;
     mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(std::abs(exponent)));
-    return exponent < 0 ? Rational(Integer(1), power) : Rational(power);
+    return exponent < 0 ? fraction(1, power) : Rational(power);
 }
 
 /// The exponent after "e": empty if malformed or out of bounds.
@@ -80,13 +87,12 @@ std::optional<Rational> take_fraction(std::string_view whole, std::string_view d
     if (digits.empty() || !denominator.empty() || whole.size() + digits.size() > max_digits) return std::nullopt;
     const Integer divisor = to_integer(digits);
     if (divisor == 0) return std::nullopt;
-    Rational value(to_integer(whole), divisor);
-    value.canonicalize();
-    return value;
+    return fraction(to_integer(whole), divisor);
 }
 
 /// floor(log2(value)) of a positive rational.
 long floor_log2(const Rational& value) {
+    assert(value > 0);
     const Integer& numerator = value.get_num();
     const Integer& denominator = value.get_den();
     const long guess = static_cast<long>(mpz_sizeinbase(numerator.get_mpz_t(), 2)) -
@@ -98,6 +104,7 @@ long floor_log2(const Rational& value) {
 
 /// The nearest integer, ties to even, of numerator / denominator > 0.
 Integer round_quotient(const Integer& numerator, const Integer& denominator) {
+    assert(numerator >= 0 && denominator > 0);
     Integer quotient;
     Integer remainder;
     mpz_fdiv_qr(quotient.get_mpz_t(), remainder.get_mpz_t(), numerator.get_mpz_t(), denominator.get_mpz_t());
@@ -121,10 +128,12 @@ std::optional<Rational> parse_rational(std::string_view text) {
 }
 
 std::string to_string(const Rational& value) {
+    assert(is_canonical(value));
     return value.get_str();
 }
 
 double to_double(const Rational& value) {
+    assert(is_canonical(value));
     if (value == 0) return 0;
     const Rational magnitude = abs(value);
     const long log2 = floor_log2(magnitude);

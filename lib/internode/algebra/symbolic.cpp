@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
+//
+// A polynomial is a map from monomials to coefficients, by degree and then by variables. A quotient is not reduced:
+// what divides exactly is divided, and the coefficients below are made integers without a common divisor.
 
 #include "internode/algebra/symbolic.h"
 
+#include "internode/algebra/fraction.h"
+
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 
 namespace internode {
@@ -28,6 +34,7 @@ bool within_limits(const SymbolicPolynomial& polynomial) {
 }
 
 Monomial multiply_monomials(const Monomial& a, const Monomial& b) {
+    assert(std::ranges::is_sorted(a) && std::ranges::is_sorted(b));
     Monomial product;
     auto i = a.begin();
     auto j = b.begin();
@@ -89,6 +96,7 @@ std::optional<SymbolicPolynomial> product(const SymbolicPolynomial& a, const Sym
 /// a / b, when b divides a: the usual division by leading terms, at most as many steps as a polynomial may have terms.
 std::optional<SymbolicPolynomial> exact_quotient(SymbolicPolynomial a, const SymbolicPolynomial& b) {
     SymbolicPolynomial quotient;
+    assert(!b.empty());
     const auto& [leading, leading_coefficient] = *b.rbegin();
     while (!a.empty()) {
         const auto monomial = divide_monomials(a.rbegin()->first, leading);
@@ -103,15 +111,14 @@ std::optional<SymbolicPolynomial> exact_quotient(SymbolicPolynomial a, const Sym
 
 /// The positive factor that makes the coefficients integers without a common divisor.
 Rational primitive_factor(const SymbolicPolynomial& polynomial) {
+    assert(!polynomial.empty());
     Integer numerators = 0;
     Integer denominators = 1;
     for (const auto& [monomial, coefficient] : polynomial) {
         numerators = gcd(numerators, coefficient.get_num());
         denominators = lcm(denominators, coefficient.get_den());
     }
-    Rational factor(denominators, numerators == 0 ? Integer(1) : numerators);
-    factor.canonicalize();
-    return factor;
+    return fraction(denominators, numerators == 0 ? Integer(1) : numerators);
 }
 
 SymbolicPolynomial scaled(SymbolicPolynomial polynomial, const Rational& factor) {
@@ -126,6 +133,7 @@ bool is_constant(const SymbolicPolynomial& polynomial) {
 double evaluate_polynomial(const SymbolicPolynomial& polynomial, std::span<const double> values) {
     double result = 0;
     for (const auto& [monomial, coefficient] : polynomial) {
+        assert(monomial.empty() || monomial.back().first < values.size());
         double term = to_double(coefficient);
         for (const auto& [variable, exponent] : monomial)
             for (std::uint32_t power = 0; power < exponent; ++power) term *= values[variable];
@@ -135,6 +143,7 @@ double evaluate_polynomial(const SymbolicPolynomial& polynomial, std::span<const
 }
 
 std::string monomial_text(const Monomial& monomial, std::span<const std::string> names) {
+    assert(monomial.empty() || monomial.back().first < names.size());
     std::string text;
     for (const auto& [variable, exponent] : monomial) {
         text += (text.empty() ? "" : " ") + names[variable];
@@ -196,6 +205,7 @@ Symbolic Symbolic::variable(SymbolicVariable variable) {
 Symbolic::Symbolic(SymbolicPolynomial numerator, SymbolicPolynomial denominator)
     : numerator_(std::move(numerator))
     , denominator_(std::move(denominator)) {
+    assert(!denominator_.empty());
     if (numerator_.empty()) {
         denominator_ = {{Monomial{}, Rational(1)}};
         return;

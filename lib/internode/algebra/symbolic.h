@@ -37,8 +37,8 @@ struct MonomialLess {
 using SymbolicPolynomial = std::map<Monomial, Rational, MonomialLess>;
 
 struct SymbolicLimits {
-    std::size_t terms = 500;         ///< of a polynomial
-    std::size_t products = 20'000;   ///< of terms, in one multiplication
+    std::size_t terms = 500;         ///< terms of a polynomial
+    std::size_t products = 20'000;   ///< products of two terms in one multiplication
     std::uint32_t degree = 200;      ///< total
     std::size_t coefficient = 4'096; ///< bits of a numerator or denominator
 };

@@ -30,8 +30,8 @@ std::vector<double> clamped_row(const Knots& knots, std::size_t k, std::size_t p
 
 Knots clamped(const Knots& knots) {
     if (knots.ends() != Ends::Open) throw std::invalid_argument("a closed curve has no ends");
-    CheckedKnots checked =
-        make_knots(knots.system(), {knots.degree(), Ends::Open, clamped(knots.domain(), knots.degree())});
+    CheckedKnots checked = make_knots(
+        knots.system(), {knots.degree(), Ends::Open, clamped(knots.domain(), knots.degree()), knots.origin()});
     if (!checked.knots) throw std::invalid_argument("the domain cannot be clamped");
     return *std::move(checked.knots);
 }

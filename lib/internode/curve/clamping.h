@@ -12,8 +12,8 @@
 
 namespace internode {
 
-/// Knots with the same domain and d zeros at each end, lengths those of step 0. \throw std::invalid_argument when
-/// closed
+/// Knots with the same domain, origin too, and d zeros at each end, lengths those of step 0. \throw
+/// std::invalid_argument when closed
 [[nodiscard]] Knots clamped(const Knots& knots);
 
 /// N rows of `dimension` coordinates over clamped(knots), from as many over `knots`: the same curve.

@@ -27,7 +27,8 @@ struct ConvergenceStep {
 struct ToleranceDepth {
     double tolerance = 0;
     std::optional<int> steps; ///< the first step whose envelope is at most the tolerance; none beyond max_depth
-    bool measured = false;    ///< that step was refined and its envelope computed; else extrapolated by 1/ρ² a step
+    bool measured =
+        false; ///< whether that step was refined and its envelope computed; else extrapolated by 1/ρ² a step
 };
 
 inline constexpr int max_depth = 1'000'000;

@@ -2,6 +2,7 @@
 
 #include "internode/curve/curve.h"
 
+#include <cassert>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -52,7 +53,10 @@ std::vector<std::string> coordinate_problems(std::size_t dimension, const std::v
 Curve::Curve(Knots knots, std::size_t dimension, std::vector<double> points)
     : knots_(std::move(knots))
     , dimension_(dimension)
-    , points_(std::move(points)) {}
+    , points_(std::move(points)) {
+    assert(dimension_ > 0);
+    assert(points_.size() == knots_.size() * dimension_);
+}
 
 CheckedCurve make_curve(Knots knots, std::size_t dimension, std::vector<double> points) {
     CheckedCurve checked;
@@ -72,7 +76,7 @@ CheckedCurve make_curve(const IntervalSystem& system, CurveData data) {
         checked.problems =
             count_problems(data.degree, data.ends, data.word.size(), data.points.size() / data.dimension);
     if (!checked.problems.empty()) return checked;
-    CheckedKnots knots = make_knots(system, {data.degree, data.ends, std::move(data.word)});
+    CheckedKnots knots = make_knots(system, {data.degree, data.ends, std::move(data.word), std::move(data.origin)});
     checked.problems = std::move(knots.problems);
     for (std::string& problem : coordinate_problems(data.dimension, data.points))
         checked.problems.push_back(std::move(problem));

@@ -48,11 +48,12 @@ struct CurveData {
     Word word;
     std::size_t dimension = 2;  ///< >= 1
     std::vector<double> points; ///< whole rows of `dimension` coordinates
+    Number origin{};            ///< where the parameter of the domain begins
 };
 
 struct CheckedCurve {
-    std::optional<Curve> curve;        ///< when everything fits
-    std::vector<std::string> problems; ///< what does not, each a sentence with the numbers
+    std::optional<Curve> curve;        ///< the curve, when everything fits
+    std::vector<std::string> problems; ///< what does not fit, each a sentence with the numbers
 };
 
 /// Checks sizes, the knots as make_knots() does, and that every coordinate is finite. At most a few problems of each

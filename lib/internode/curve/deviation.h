@@ -14,7 +14,7 @@
 namespace internode {
 
 struct DeviationPiece {
-    double begin = 0; ///< in the parameter that is 0 where the interval starts
+    double begin = 0; ///< where it begins, in the parameter that is 0 where the interval starts
     double end = 0;   ///< > begin
     std::vector<double>
         coefficients; ///< d + 1 rows, one per Bernstein polynomial on [begin, end], of d - 1 numbers β_i

@@ -110,6 +110,12 @@ Problems domain_problems(const IntervalSystem& system, const KnotVector& vector)
     return problems;
 }
 
+/// The knot where the domain begins.
+const Number& origin_of(const KnotVector& vector) {
+    if (vector.ends == Ends::Circular) return vector.knots.front();
+    return vector.knots[degree_of(vector) - (is_short(vector) ? 1 : 0)];
+}
+
 /// The length of each letter.
 std::vector<Number> letter_lengths(const KnotVector& vector) {
     std::vector<Number> lengths;
@@ -122,7 +128,7 @@ std::vector<Number> letter_lengths(const KnotVector& vector) {
 
 /// A symbol for each distinct length, A1, A2, …; the grammar's own name for a single one.
 FittedKnots copied(const IntervalSystem& system, const std::vector<Number>& lengths) {
-    KnotWord result{system, {}};
+    KnotWord result{system, {}, {}};
     std::map<Number, Symbol> symbols;
     std::vector<Rational> distinct;
     result.word.reserve(lengths.size());
@@ -164,7 +170,7 @@ FittedKnots labelled(const IntervalSystem& system, const KnotVector& vector, con
                                                   exact_text(lengths[i], system), table.complaint(lengths[i])));
         }
     }
-    if (result.problems.empty()) result.fitted = KnotWord{*std::move(scaled.system), std::move(word)};
+    if (result.problems.empty()) result.fitted = KnotWord{*std::move(scaled.system), std::move(word), {}};
     return result;
 }
 
@@ -179,7 +185,9 @@ FittedKnots fit_knots(const IntervalSystem& system, const KnotVector& knots) {
     const std::vector<Number> lengths = letter_lengths(knots);
     const bool says_any_length =
         system.alphabet().size() == 1 && system.grammar().lengths.empty() && knots.fixed.empty();
-    return says_any_length ? copied(system, lengths) : labelled(system, knots, lengths);
+    FittedKnots result = says_any_length ? copied(system, lengths) : labelled(system, knots, lengths);
+    if (result.fitted) result.fitted->origin = origin_of(knots);
+    return result;
 }
 
 } // namespace internode

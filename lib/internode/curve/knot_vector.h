@@ -30,13 +30,15 @@ struct KnotVector {
 };
 
 struct KnotWord {
-    IntervalSystem system; ///< with the lengths that the knots say
+    IntervalSystem system; ///< the system with the lengths that the knots say
     Word word;             ///< N + d letters, N when closed
+    Number origin{};       ///< the knot where the domain begins
 };
 
 struct FittedKnots {
-    std::optional<KnotWord> fitted;    ///< when everything fits
-    std::vector<std::string> problems; ///< what does not, each a sentence with the numbers; knots are counted from 1
+    std::optional<KnotWord> fitted; ///< the word, when everything fits
+    std::vector<std::string>
+        problems; ///< what does not fit, each a sentence with the numbers; knots are counted from 1
 };
 
 /// Refused: another number of knots, knots that decrease, a multiplicity above d + 1 at an end (d in the short form) or

@@ -3,6 +3,7 @@
 #include "internode/curve/knots.h"
 
 #include <algorithm>
+#include <cassert>
 #include <fmt/format.h>
 #include <stdexcept>
 
@@ -56,6 +57,14 @@ std::vector<std::string> letter_problems(const IntervalSystem& system, const Kno
                                            length, smallest_length, largest_length));
     }
     return problems;
+}
+
+/// Whether doubles can carry the parameter.
+std::vector<std::string> origin_problems(const KnotsData& data) {
+    const double origin = data.origin.to_double();
+    if (origin >= -largest_origin && origin <= largest_origin) return {};
+    return {fmt::format("the parameter begins at {}: it must lie between {} and {}", origin, -largest_origin,
+                        largest_origin)};
 }
 
 struct Run {
@@ -114,7 +123,10 @@ Knots::Knots(IntervalSystem system, KnotsData data)
     : system_(std::move(system))
     , degree_(data.degree)
     , ends_(data.ends)
-    , word_(std::move(data.word)) {}
+    , word_(std::move(data.word))
+    , origin_(std::move(data.origin)) {
+    assert(size() >= 1 && !domain().empty());
+}
 
 std::size_t Knots::size() const {
     return ends_ == Ends::Open ? word_.size() - static_cast<std::size_t>(degree_) : word_.size();
@@ -131,7 +143,7 @@ CheckedKnots make_knots(const IntervalSystem& system, KnotsData data) {
     CheckedKnots checked;
     checked.problems = size_problems(data);
     if (!checked.problems.empty()) return checked;
-    for (const auto& problems : {letter_problems(system, data), zero_problems(data)})
+    for (const auto& problems : {letter_problems(system, data), zero_problems(data), origin_problems(data)})
         checked.problems.insert(checked.problems.end(), problems.begin(), problems.end());
     if (checked.problems.empty()) checked.knots = Knots(system, std::move(data));
     return checked;

@@ -29,6 +29,8 @@ public:
     [[nodiscard]] const Word& word() const { return word_; }
     /// How many steps the lengths have been divided by ρ.
     [[nodiscard]] int step() const { return step_; }
+    /// The parameter where the domain begins: the same at every step, which moves no knot that was there.
+    [[nodiscard]] const Number& origin() const { return origin_; }
     /// N, the number of control points.
     [[nodiscard]] std::size_t size() const;
     /// The letters of the domain: all of a closed word, letters d … N-1 of an open one.
@@ -42,26 +44,31 @@ private:
     int degree_;
     Ends ends_;
     Word word_;
+    Number origin_;
     int step_ = 0;
 };
 
 struct KnotsData {
     int degree = 3; ///< 1 … 12
     Ends ends = Ends::Open;
-    Word word; ///< N letters closed, N >= 1; N + d open, N > d
+    Word word;       ///< N letters closed, N >= 1; N + d open, N > d
+    Number origin{}; ///< t_d of an open curve, t_0 of a closed one: rational, or in the field of the system
 };
 
 struct CheckedKnots {
-    std::optional<Knots> knots;        ///< when everything fits
-    std::vector<std::string> problems; ///< what does not, each a sentence with the numbers
+    std::optional<Knots> knots;        ///< the knots, when everything fits
+    std::vector<std::string> problems; ///< what does not fit, each a sentence with the numbers
 };
 
 /// The lengths that a curve may have: a margin that keeps squares and quotients of lengths finite in doubles.
 inline constexpr double smallest_length = 1e-150;
 inline constexpr double largest_length = 1e150;
+/// How far from 0 a domain may begin, for the same reason.
+inline constexpr double largest_origin = 1e150;
 inline constexpr int max_degree = 12;
 
-/// Checks degree, size, letters and their lengths, runs of `0`, and that the domain begins and ends with a length.
+/// Checks degree, size, letters and their lengths, runs of `0`, the origin, and that the domain begins and ends with a
+/// length.
 [[nodiscard]] CheckedKnots make_knots(const IntervalSystem& system, KnotsData data);
 
 /// The word of a clamped curve: d zeros, the domain, d zeros.

@@ -65,7 +65,7 @@ std::string lengths_text(const IntervalSystem& system) {
 /// The one class whose scale is open: its symbols, and the intervals that only they can have.
 struct OpenScale {
     std::vector<Symbol> symbols;
-    std::set<Number> lengths;   ///< of the symbols, at the scale that the system has
+    std::set<Number> lengths;   ///< lengths of the symbols, at the scale that the system has
     std::vector<Number> wanted; ///< distinct, ascending
 };
 

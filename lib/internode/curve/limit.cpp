@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
+//
+// Points come from rows of the refined curve, one table of them for each window; derivatives come from the given curve
+// at the same knots, which a walk through both words finds.
 
 #include "internode/curve/limit.h"
 
+#include "internode/curve/derivatives.h"
 #include "internode/curve/frame.h"
 #include "internode/curve/gather.h"
 #include "internode/curve/parameter.h"
 #include "internode/spline/window.h"
 
+#include <cassert>
 #include <unordered_map>
 #include <utility>
 
@@ -51,23 +56,6 @@ auto bezier_table(const Refinement& refinement) {
                     [system = refinement.curve().system()](const Word& window) { return bezier_rows(system, window); });
 }
 
-constexpr int highest_order = 2;
-
-/// Rows m = 0 … 2 of the derivatives at the knot where the interval begins, then those where it ends.
-auto derivative_table(const Refinement& refinement) {
-    const IntervalSystem& system = refinement.curve().system();
-    return RowTable(refinement, [system, speed = pow(system.ratio(), refinement.curve().step())](const Word& window) {
-        std::vector<std::vector<Number>> rows;
-        for (const PieceEnd end : {PieceEnd::Begin, PieceEnd::End}) {
-            std::vector<std::vector<Number>> some = derivative_rows(system, window, end, highest_order);
-            for (int m = 0; m <= highest_order; ++m)
-                for (Number& weight : some[static_cast<std::size_t>(m)]) weight *= pow(speed, m);
-            rows.insert(rows.end(), some.begin(), some.end());
-        }
-        return rows;
-    });
-}
-
 /// The control points over the non-empty intervals of a curve's domain, one interval at a time, combined by rows.
 class Pieces {
 public:
@@ -101,6 +89,7 @@ std::vector<std::size_t> starts(const Curve& curve, const Pieces& pieces) {
     std::vector<std::size_t> cells;
     for (std::size_t cell = 0; cell < curve.size(); ++cell)
         if (pieces.starts_at(cell)) cells.push_back(cell);
+    assert(!cells.empty());
     return cells;
 }
 
@@ -130,6 +119,7 @@ void for_each_knot(const Curve& curve, const Pieces& pieces, LimitPoints& limit,
 }
 
 void add_frames(LimitFrames& frames, std::size_t dimension) {
+    assert(frames.first.size() == frames.second.size() && frames.first.size() % dimension == 0);
     frames.tangents.resize(frames.first.size());
     for (std::size_t at = 0; at < frames.first.size(); at += dimension) {
         const std::span<const double> first(frames.first.data() + at, dimension);
@@ -153,20 +143,25 @@ LimitPoints limit_points(const Refinement& refinement) {
     return limit;
 }
 
-LimitFrames limit_frames(const Refinement& refinement) {
+LimitFrames limit_frames(const Curve& given, const Refinement& refinement) {
     const Curve& curve = refinement.curve();
-    auto table = derivative_table(refinement);
+    assert(curve.dimension() == given.dimension());
+    auto table = bezier_table(refinement);
     Pieces pieces(refinement);
+    Derivatives derivatives(given);
+    KnotWalk walk(given.knots(), derivatives.spans(), curve.knots());
     LimitFrames frames;
     for_each_knot(curve, pieces, frames.limit, [&](std::size_t cell, PieceEnd end) {
         const Rows& rows = table.rows(pieces.state(cell));
-        const std::size_t value = end == PieceEnd::Begin ? 0 : highest_order + 1;
-        pieces.append(cell, rows[value], frames.limit.points);
-        pieces.append(cell, rows[value + 1], frames.first);
-        pieces.append(cell, rows[value + 2], frames.second);
+        pieces.append(cell, end == PieceEnd::Begin ? rows.front() : rows.back(), frames.limit.points);
+        derivatives.append(end == PieceEnd::Begin ? walk.next() : walk.end(), frames.first, frames.second);
     });
     add_frames(frames, curve.dimension());
     return frames;
+}
+
+LimitFrames limit_frames(const Refinement& refinement) {
+    return limit_frames(refinement.curve(), refinement);
 }
 
 BezierSegments bezier_segments(const Refinement& refinement) {
@@ -174,7 +169,10 @@ BezierSegments bezier_segments(const Refinement& refinement) {
     auto table = bezier_table(refinement);
     Pieces pieces(refinement);
     BezierSegments segments;
-    for (const std::size_t cell : starts(curve, pieces)) {
+    const std::vector<std::size_t> cells = starts(curve, pieces);
+    segments.symbols.reserve(cells.size());
+    segments.points.reserve(cells.size() * (static_cast<std::size_t>(curve.degree()) + 1) * curve.dimension());
+    for (const std::size_t cell : cells) {
         segments.symbols.push_back(curve.word()[cell]);
         for (const std::vector<double>& row : table.rows(pieces.state(cell))) pieces.append(cell, row, segments.points);
     }

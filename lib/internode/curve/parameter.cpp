@@ -65,6 +65,7 @@ std::vector<DoubleDouble> long_positions(const Knots& knots) {
     const auto degree = static_cast<std::size_t>(knots.degree());
     const std::size_t origin = knots.ends() == Ends::Open ? degree : 0;
     std::vector<DoubleDouble> result(knots.size() + degree + 1);
+    result[origin] = to_double_double(knots.origin());
     for (std::size_t i = origin; i > 0; --i) result[i - 1] = result[i] + -lengths[word[i - 1]];
     for (std::size_t i = origin; i + 1 < result.size(); ++i) result[i + 1] = result[i] + lengths[word[i % word.size()]];
     return result;

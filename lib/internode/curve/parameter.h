@@ -3,7 +3,7 @@
 // The parameter line of a curve in doubles: knots and Greville abscissae.
 //
 // Lengths a_i / ρ^s are taken from their exact values and summed in double-double, so that a knot is off by about one
-// unit in the last place however many intervals lie before it. The domain starts at 0.
+// unit in the last place however many intervals lie before it. The domain starts at Knots::origin().
 
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace internode {
 
-/// t_0 … t_{N+d} of an open curve with t_d = 0; t_0 … t_N of a closed one with t_0 = 0 and t_N the period.
+/// t_0 … t_{N+d} of an open curve, t_d its origin; t_0 … t_N of a closed one, t_0 its origin, t_N a period later.
 [[nodiscard]] std::vector<double> knot_positions(const Curve& curve);
 [[nodiscard]] std::vector<double> knot_positions(const Knots& knots);
 

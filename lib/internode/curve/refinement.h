@@ -20,7 +20,7 @@ namespace internode {
 
 struct RefinementSize {
     std::uint64_t points = 0; ///< after all steps
-    std::uint64_t bytes = 0;  ///< that the last step needs: points, letters and states before and after it
+    std::uint64_t bytes = 0;  ///< memory that the last step needs: points, letters and states before and after it
     bool exceeded = false;    ///< more than the cap: points and bytes are then lower bounds
 };
 

@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "internode/grammar/grammar_kind.h"
+#include "internode/grammar/lexing/grammar_kind.h"
 
 #include <span>
 #include <string_view>

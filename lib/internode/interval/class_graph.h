@@ -22,14 +22,14 @@ struct IntervalClass {
     std::vector<std::uint32_t> members;    ///< symbols, ascending
     std::vector<std::uint32_t> successors; ///< other classes that its rules name, each once
     bool final = false;                    ///< no arc leaves it
-    std::size_t period = 0;                ///< of its cycles; 0 = no cycle
+    std::size_t period = 0;                ///< period of the cycles of the class; 0 = no cycle
     std::uint32_t home = no_class;         ///< the only final class it leads to, or no_class for several
     SparseMatrix block;                    ///< M restricted to the members
 };
 
 struct ClassGraph {
     SparseMatrix matrix;                 ///< n rows
-    std::vector<std::uint32_t> class_of; ///< per symbol
+    std::vector<std::uint32_t> class_of; ///< index in classes of each symbol, or no_class
     std::vector<IntervalClass> classes;  ///< successors come first
 };
 

@@ -38,7 +38,7 @@ struct RadiusLimits {
 /// A class that no other is known to exceed, and how the others stand to it.
 struct LargestRadius {
     std::size_t index = 0;
-    std::vector<std::partial_ordering> order; ///< per class: less, equivalent or unordered
+    std::vector<std::partial_ordering> order; ///< how each class stands to the largest: less, equivalent or unordered
 };
 /// \throw std::invalid_argument for no radii
 [[nodiscard]] LargestRadius largest_radius(const std::vector<ClassRadius>& radii);

@@ -84,7 +84,7 @@ struct LengthConflict {
     Symbol symbol{};
     Number given;        ///< what was asked for
     Number implied;      ///< what the system says, after the other lengths were taken
-    std::string message; ///< with both numbers and the residual
+    std::string message; ///< a sentence with both numbers and the residual
 };
 
 struct FixedLengths {

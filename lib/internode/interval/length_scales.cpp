@@ -172,7 +172,7 @@ private:
     const Alphabet& names_;
     const std::string& generator_;
     Numbers lengths_;
-    std::vector<std::optional<Number>> scales_; ///< per class; final ones only
+    std::vector<std::optional<Number>> scales_; ///< the scale of each final class
     ScaledLengths result_;
 };
 

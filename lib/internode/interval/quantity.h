@@ -14,7 +14,7 @@ namespace internode {
 struct Quantity {
     double value = 0;            ///< nearest double when exact, else the midpoint of the bounds
     Enclosure bounds;            ///< certified: bounds.lower <= the number <= bounds.upper
-    std::optional<Number> exact; ///< when known
+    std::optional<Number> exact; ///< the exact value, when it is known
 };
 
 [[nodiscard]] Quantity exact_quantity(const Number& number);

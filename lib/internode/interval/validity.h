@@ -55,10 +55,10 @@ struct Verdict {
     bool exact = false;                   ///< ratio known in the field, and lengths if valid
     std::optional<NumberField> field;     ///< Q(ρ) when exact
     Quantity ratio;                       ///< ρ(M)
-    std::optional<bool> pisot;            ///< when exact
+    std::optional<bool> pisot;            ///< whether the ratio is a Pisot number, when exact
     std::size_t period = 0;               ///< lcm over basic classes
-    std::vector<bool> occurs;             ///< per symbol: the axiom can produce it
-    std::vector<SymbolClass> classes;     ///< in order of their first symbol
+    std::vector<bool> occurs;             ///< whether the axiom can produce each symbol
+    std::vector<SymbolClass> classes;     ///< all classes in order of their first symbol
     std::size_t free_lengths = 0;         ///< number of final classes
     std::vector<Quantity> lengths;        ///< n, or empty when there are none
     std::vector<Quantity> frequencies;    ///< n, or empty when they depend on an axiom that is not given

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // A control polygon as a file gives it: N points of one dimension, and whatever the file says about degree, ends, word
-// and lengths, or knots, and weights. Whether these fit each other and a grammar is for curve/ to say.
+// and lengths, or knots, and weights. Whether these fit each other and a grammar is for input/ to say.
 //
 // CSV: a point a line, `,`, `;` or tab between the coordinates (the first line decides), an optional header, `#`
-// comments, empty lines, CR LF, a byte order mark. JSON: an object of format "internode-curve" (docs/), or the
-// bare array of its points. Coordinates are finite doubles, correctly rounded; lengths stay exact.
+// comments, CR LF, a byte order mark. Empty lines (gnuplot) and lines that begin with `>` (GMT) part polygons; the
+// header stands once, or again in each part. JSON: an object of format "internode-curve" (docs/), the bare array of its
+// points, or "internode-curves", several of them. Coordinates are finite doubles, correctly rounded; lengths stay
+// exact.
 
 #pragma once
 
@@ -46,8 +48,12 @@ struct InputPolygon {
     std::optional<PlacedText> word_text;                 ///< "word": "SL SL", as --word takes it
     std::optional<std::vector<PlacedText>> word_letters; ///< "word": ["S", "L"]
     std::vector<InputLength> lengths;                    ///< in the order of the file, no symbol twice
-    std::optional<std::vector<InputNumber>> knots;       ///< never beside a word; at most max_knots
+    std::optional<std::vector<InputNumber>> knots;       ///< at most max_knots
+    std::optional<InputNumber> origin;                   ///< the parameter where the domain begins
     std::vector<double> weights;                         ///< one per point, positive; empty when the file has none
+    std::size_t line = 0; ///< where the polygon begins in its file; 0 when it is the whole file
+    std::string
+        break_text; ///< of CSV: the lines that part it from what stands before, blank or `> …`, each with its end
 
     [[nodiscard]] std::size_t size() const { return points.size() / dimension; }
 };
@@ -57,11 +63,21 @@ struct ParsedPolygon {
     std::vector<Diagnostic> errors;      ///< in the order of the text, at most max_polygon_errors
 };
 
+struct ParsedPolygons {
+    std::vector<InputPolygon> polygons; ///< at least one iff errors is empty; of one dimension when of a CSV
+    std::vector<Diagnostic> errors;     ///< in the order of the text, at most max_polygon_errors
+};
+
 /// Both never throw on any text (but std::bad_alloc). Cost: linear in the text.
-[[nodiscard]] ParsedPolygon read_polygon_csv(std::string_view text, std::string_view source);
-[[nodiscard]] ParsedPolygon read_polygon_json(std::string_view text, std::string_view source);
+[[nodiscard]] ParsedPolygons read_polygons_csv(std::string_view text, std::string_view source);
+[[nodiscard]] ParsedPolygons read_polygons_json(std::string_view text, std::string_view source);
 
 /// One of the two by the first character that is not blank: `{` or `[` begins JSON.
+[[nodiscard]] ParsedPolygons read_polygons(std::string_view text, std::string_view source);
+
+/// The same where one polygon is meant: a second one is an error at its place.
+[[nodiscard]] ParsedPolygon read_polygon_csv(std::string_view text, std::string_view source);
+[[nodiscard]] ParsedPolygon read_polygon_json(std::string_view text, std::string_view source);
 [[nodiscard]] ParsedPolygon read_polygon(std::string_view text, std::string_view source);
 
 } // namespace internode

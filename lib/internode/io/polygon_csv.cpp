@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
+//
+// One pass over the lines. A line that parts polygons is kept until the next point comes: that point begins a polygon
+// and takes the parting lines along, so that blank lines at both ends of a file say nothing.
 
 #include "internode/io/polygon.h"
 
-#include "internode/io/limits.h"
+#include "internode/io/file/limits.h"
 #include "internode/text/number.h"
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 namespace internode {
 
@@ -63,11 +67,9 @@ class CsvReader {
 public:
     CsvReader(std::string_view text, std::string_view source)
         : text_(text)
-        , source_(source) {
-        polygon_.source = source;
-    }
+        , source_(source) {}
 
-    ParsedPolygon read() && {
+    ParsedPolygons read() && {
         constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
         if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
         while (!text_.empty() && errors_.size() < max_polygon_errors) {
@@ -77,32 +79,72 @@ public:
             ++line_number_;
             read_line();
         }
-        if (polygon_.points.empty() && errors_.empty()) add_empty_error();
-        if (!errors_.empty()) return {.polygon = {}, .errors = std::move(errors_)};
-        return {.polygon = std::move(polygon_), .errors = {}};
+        if (head_line_ > 0 && errors_.size() < max_polygon_errors) refuse_empty_part();
+        if (polygons_.empty() && errors_.empty()) add_empty_error();
+        if (!errors_.empty()) return {.polygons = {}, .errors = std::move(errors_)};
+        if (polygons_.size() == 1) polygons_.front().line = 0;
+        return {.polygons = std::move(polygons_), .errors = {}};
     }
 
 private:
     void read_line() {
         const std::string_view content = trimmed(line_, " \t");
-        if (content.empty() || content.front() == '#') return;
+        if (content.empty()) return read_blank();
+        if (content.front() == '#') return;
+        if (content.front() == '>') return read_head(content);
         const bool is_first = separator_ == '\0';
         if (is_first) separator_ = separator_of(content);
         if (!split()) return;
-        if (is_first) polygon_.dimension = fields_.size();
+        if (is_first) dimension_ = fields_.size();
         if (is_first && std::ranges::all_of(fields_, is_name)) {
-            for (const Field& field : fields_) polygon_.columns.push_back(unescaped(field.text));
+            for (const Field& field : fields_) columns_.push_back(unescaped(field.text));
             return;
         }
-        if (fields_.size() != polygon_.dimension) return refuse_length();
+        if (fields_.size() != dimension_) return refuse_length();
+        if (!begun_ && is_header_again()) return;
+        if (!begun_) begin_polygon();
         read_point();
     }
 
+    /// A blank line ends the polygon; more than two say no more than two (gnuplot has a meaning for either).
+    void read_blank() {
+        if (begun_) break_text_.clear();
+        if (!polygons_.empty() && head_line_ == 0 && break_text_.size() < 2) break_text_ += '\n';
+        begun_ = false;
+    }
+
+    void read_head(std::string_view content) {
+        if (head_line_ > 0) refuse_empty_part();
+        if (begun_) break_text_.clear();
+        break_text_ += std::string(content) + '\n';
+        begun_ = false;
+        head_line_ = line_number_;
+        head_ = content;
+    }
+
+    [[nodiscard]] bool is_header_again() const {
+        const auto same = [](const Field& field, const std::string& name) { return unescaped(field.text) == name; };
+        return std::ranges::equal(fields_, columns_, same);
+    }
+
+    void begin_polygon() {
+        InputPolygon& polygon = polygons_.emplace_back();
+        polygon.source = source_;
+        polygon.dimension = dimension_;
+        polygon.columns = columns_;
+        polygon.line = line_number_;
+        polygon.break_text = std::move(break_text_);
+        break_text_.clear();
+        head_line_ = 0;
+        begun_ = true;
+    }
+
     void read_point() {
+        assert(begun_ && !polygons_.empty());
         for (const Field& field : fields_) {
             const std::optional<double> value = parse_double(field.text);
             if (!value) return refuse_number(field);
-            polygon_.points.push_back(*value);
+            polygons_.back().points.push_back(*value);
         }
     }
 
@@ -153,7 +195,7 @@ private:
     void refuse_length() {
         const std::string counts = std::to_string(fields_.size()) +
                                    (fields_.size() == 1 ? " coordinate" : " coordinates") +
-                                   ", but the first line has " + std::to_string(polygon_.dimension);
+                                   ", but the first line has " + std::to_string(dimension_);
         refuse(fields_.back().offset, 1, counts);
         if (fields_.size() == 1) errors_.back().hint = separator_hint();
     }
@@ -175,9 +217,17 @@ private:
         return "coordinates are separated by " + name + " here, as in the first line; `,`, `;` and tabs are understood";
     }
 
+    /// Of a line `> …` that no point follows.
+    void refuse_empty_part() {
+        Diagnostic diagnostic = diagnostic_at(head_, 0, source_, "no point follows in this part");
+        diagnostic.line = head_line_;
+        errors_.push_back(std::move(diagnostic));
+    }
+
     void add_empty_error() {
         Diagnostic diagnostic;
         diagnostic.source = source_;
+        diagnostic.code = "csv.empty";
         diagnostic.message = "no point";
         diagnostic.hint = "write a point a line: 0.5, 1.25";
         errors_.push_back(std::move(diagnostic));
@@ -187,6 +237,7 @@ private:
         Diagnostic diagnostic = diagnostic_at(line_, offset, source_, std::move(message));
         diagnostic.line = line_number_;
         diagnostic.width = width;
+        diagnostic.code = "csv.unexpected";
         errors_.push_back(std::move(diagnostic));
     }
 
@@ -196,20 +247,20 @@ private:
     std::size_t line_number_ = 0;
     char separator_ = '\0'; ///< none before the first line with content
     std::vector<Field> fields_;
-    InputPolygon polygon_;
+    std::size_t dimension_ = 0;
+    std::vector<std::string> columns_;
+    bool begun_ = false;        ///< a polygon is open: the next point belongs to it
+    std::string break_text_;    ///< of the polygon to come
+    std::string_view head_;     ///< the last line `> …`
+    std::size_t head_line_ = 0; ///< of head_, while no point has followed; else 0
+    std::vector<InputPolygon> polygons_;
     std::vector<Diagnostic> errors_;
 };
 
 } // namespace
 
-ParsedPolygon read_polygon_csv(std::string_view text, std::string_view source) {
+ParsedPolygons read_polygons_csv(std::string_view text, std::string_view source) {
     return CsvReader(text, source).read();
-}
-
-ParsedPolygon read_polygon(std::string_view text, std::string_view source) {
-    const std::size_t first = text.find_first_not_of("\xEF\xBB\xBF \t\r\n");
-    const bool is_json = first != std::string_view::npos && (text[first] == '{' || text[first] == '[');
-    return is_json ? read_polygon_json(text, source) : read_polygon_csv(text, source);
 }
 
 } // namespace internode

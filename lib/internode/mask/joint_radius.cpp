@@ -2,6 +2,7 @@
 
 #include "internode/mask/joint_radius.h"
 
+#include "internode/algebra/fraction.h"
 #include "internode/algebra/polynomial.h"
 
 #include <algorithm>
@@ -54,9 +55,7 @@ Rational norm(const ScaledMask& mask, std::size_t period) {
         for (std::size_t k = r; k < mask.numerators.size(); k += period) sum += abs(mask.numerators[k]);
         largest = std::max(largest, sum);
     }
-    Rational result(largest, mask.denominator);
-    result.canonicalize();
-    return result;
+    return fraction(largest, mask.denominator);
 }
 
 /// The k-th root of a value >= 0, rounded down or up to a multiple of 2^-64; exact when it is one.
@@ -67,9 +66,7 @@ Rational root(const Rational& value, std::size_t k, bool up) {
     Integer result;
     const bool exact = mpz_root(result.get_mpz_t(), scaled_value.get_mpz_t(), k) != 0;
     if (up && (!exact || truncated)) ++result;
-    Rational scaled_root(result, Integer(1) << root_bits);
-    scaled_root.canonicalize();
-    return scaled_root;
+    return fraction(result, Integer(1) << root_bits);
 }
 
 /// Norms of S, S², … while the masks stay short.

@@ -2,8 +2,10 @@
 
 #include "internode/mask/known_schemes.h"
 
+#include "internode/algebra/fraction.h"
 #include "internode/mask/mask_properties.h"
 
+#include <cassert>
 #include <optional>
 
 namespace internode {
@@ -11,12 +13,6 @@ namespace internode {
 namespace {
 
 using Coefficients = std::vector<Rational>;
-
-Rational fraction(long numerator, long denominator) {
-    Rational value(numerator, denominator);
-    value.canonicalize();
-    return value;
-}
 
 std::string ordinal_degree(std::size_t degree) {
     switch (degree) {
@@ -69,6 +65,7 @@ void add_corner_cutting(const UniformMask& mask, const MaskProperties& propertie
 /// The new points of a binary interpolatory scheme with k weights a side, outermost first: the mask around its centre.
 Coefficients interpolatory_mask(const Coefficients& half) {
     const std::size_t n = half.size();
+    assert(n > 0);
     Coefficients mask(4 * n - 1);
     for (std::size_t i = 0; i < n; ++i) {
         mask[2 * i] = half[i];
@@ -126,6 +123,7 @@ void add_dual_interpolation(const UniformMask& mask, std::vector<KnownScheme>& f
 } // namespace
 
 std::vector<Rational> lagrange_weights(std::size_t n, const Rational& x) {
+    assert(n > 0);
     const auto last = static_cast<long>(n);
     Coefficients weights;
     for (long i = 1 - last; i <= last; ++i) {

@@ -2,7 +2,10 @@
 
 #include "internode/mask/mask_properties.h"
 
+#include "internode/algebra/fraction.h"
+
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 
 namespace internode {
@@ -33,6 +36,7 @@ std::string polynomial_in_z(const std::vector<Rational>& coefficients) {
 /// The rational that makes the coefficients integers without a common divisor, and their sum, or else the first,
 /// positive, when they are divided by it.
 Rational content(const std::vector<Rational>& coefficients) {
+    assert(!coefficients.empty());
     Integer numerators = 0;
     Integer denominators = 1;
     Rational sum = 0;
@@ -41,8 +45,7 @@ Rational content(const std::vector<Rational>& coefficients) {
         denominators = lcm(denominators, coefficient.get_den());
         sum += coefficient;
     }
-    Rational result(numerators, denominators);
-    result.canonicalize();
+    const Rational result = fraction(numerators, denominators);
     const bool negative = sum == 0 ? coefficients.front() < 0 : sum < 0;
     return negative ? Rational(-result) : result;
 }
@@ -55,6 +58,7 @@ std::string factor_text(std::size_t arity) {
 
 std::string symbol_text(const UniformMask& mask, std::size_t power, std::vector<Rational> quotient) {
     const Rational scale = content(quotient);
+    assert(scale != 0 && "a mask has a coefficient that is not zero");
     for (Rational& coefficient : quotient) coefficient /= scale;
     std::vector<std::string> factors;
     if (mask.first != 0) factors.push_back(power_of_z(mask.first));
@@ -66,6 +70,7 @@ std::string symbol_text(const UniformMask& mask, std::size_t power, std::vector<
 }
 
 std::size_t residue(std::ptrdiff_t k, std::size_t arity) {
+    assert(arity > 0);
     const auto m = static_cast<std::ptrdiff_t>(arity);
     return static_cast<std::size_t>(((k % m) + m) % m);
 }
@@ -106,6 +111,7 @@ Rational next_derivative(std::vector<Rational>& terms, const UniformMask& mask, 
 
 /// The largest d with both conditions of Conti and Hormann; the sums are known to be one and a(1) = m.
 std::size_t reproduction(const UniformMask& mask, const Rational& shift, std::size_t generation) {
+    assert(generation < mask.coefficients.size());
     std::vector<Rational> terms = mask.coefficients;
     Rational wanted = Rational(static_cast<unsigned long>(mask.arity));
     for (std::size_t order = 1; order <= generation; ++order) {
@@ -126,6 +132,7 @@ std::optional<std::vector<Rational>> divide_by_factor(const std::vector<Rational
     if (coefficients.size() < arity) return std::nullopt;
     const std::size_t size = coefficients.size() - arity + 1;
     std::vector<Rational> quotient(size);
+    assert(arity >= 1);
     Rational window = 0; // of the last arity - 1 coefficients of the quotient
     for (std::size_t k = 0; k < coefficients.size(); ++k) {
         const Rational next = coefficients[k] - window;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// The length of a word before it is derived: what each letter becomes, counted letter by letter.
+// The images of the letters under a table are a sparse matrix; a step multiplies the counts of the letters by it. It is
+// possible where letters alone decide what a module becomes; each visit of a letter is counted against a bound.
 
-#include "internode/point/interpreter.h"
+#include "internode/point/growth.h"
+
 #include "internode/point/rule_programs.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace internode {
@@ -96,6 +99,7 @@ public:
     bool step(std::size_t table) {
         if (matrix_.joins_modules(table)) return false;
         const std::vector<std::optional<Image>>& images = matrix_.images(table);
+        assert(images.size() == counts_.size());
         std::vector<std::uint64_t> next(counts_.size(), 0);
         for (std::size_t i = 0; i < counts_.size(); ++i) {
             if (counts_[i] == 0) continue;
@@ -117,7 +121,10 @@ public:
 
 private:
     void add(std::uint64_t& sum, std::uint64_t more) const { sum = more > cap_ - sum ? cap_ : sum + more; }
-    [[nodiscard]] std::uint64_t product(std::uint64_t a, std::uint64_t b) const { return a > cap_ / b ? cap_ : a * b; }
+    [[nodiscard]] std::uint64_t product(std::uint64_t a, std::uint64_t b) const {
+        assert(b > 0 && "an image counts the letters it has");
+        return a > cap_ / b ? cap_ : a * b;
+    }
 
     GrowthMatrix matrix_;
     std::uint64_t cap_;

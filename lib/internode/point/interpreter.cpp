@@ -2,6 +2,7 @@
 
 #include "internode/point/interpreter.h"
 
+#include "internode/point/growth.h"
 #include "internode/point/rewriting.h"
 
 #include <fmt/format.h>

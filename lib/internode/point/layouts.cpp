@@ -2,11 +2,13 @@
 
 #include "internode/point/layouts.h"
 
-#include "internode/point/kinds.h"
+#include "internode/expression/type.h"
+#include "internode/point/effective_input.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 namespace internode {
 
@@ -54,6 +56,7 @@ public:
     }
 
     void learn(Symbol letter, std::vector<Extent> extents, const Origin& origin) {
+        assert(!layout_[to_index(letter)]);
         layout_[to_index(letter)] = std::move(extents);
         origins_[to_index(letter)] = origin;
         learnt_.push_back(letter);
@@ -92,15 +95,16 @@ private:
             extents.insert(extents.end(), parameters->begin(), parameters->end());
         }
         const Formals formals{rule.formals, extents};
-        if (rule.condition) expect_type({true, 0}, "the condition", *rule.condition, formals, grammar_, problems_);
-        if (rule.weight) expect_type({}, "the weight", *rule.weight, formals, grammar_, problems_);
+        if (rule.condition)
+            expect_type({true, 0}, "the condition", *rule.condition, formals, grammar_.definitions, problems_);
+        if (rule.weight) expect_type({}, "the weight", *rule.weight, formals, grammar_.definitions, problems_);
         add_word(rule.successor, formals, {Origin::Source::Rule, &rule});
     }
 
     void add_module(const ModuleTemplate& one, const Formals& formals, const Origin& origin) {
         std::vector<Extent> extents;
         for (const Expression& argument : one.arguments) {
-            const std::optional<ExpressionType> type = type_of(argument, formals, grammar_, problems_);
+            const std::optional<ExpressionType> type = type_of(argument, formals, grammar_.definitions, problems_);
             if (type && type->truth) problems_.push_back({argument.place, "a parameter cannot be a truth", ""});
             if (type && !type->truth) extents.push_back(type->extent);
         }
@@ -113,6 +117,7 @@ private:
 
     void compare(const ModuleTemplate& one, std::span<const Extent> extents) {
         const std::vector<Extent>& known = *layout_[to_index(one.letter)];
+        assert(extents.size() == known.size() && "a letter has one number of parameters");
         for (std::size_t i = 0; i < extents.size(); ++i) {
             if (extents[i] == known[i]) continue;
             problems_.push_back({one.arguments[i].place,
@@ -174,21 +179,6 @@ Layout interpreted_layout(const PointGrammar& grammar, const Layout& before, std
 }
 
 } // namespace
-
-std::optional<PointInput> default_input(const PointGrammar& grammar) {
-    const std::optional<Symbol> point = find_letter(grammar, "P", 1);
-    if (!point) return std::nullopt;
-    PointInput input;
-    input.formal = "v";
-    input.each.push_back({*point, {Expression{{{Operation::Formal, 0}}, {}, {}}}, {}});
-    return input;
-}
-
-std::optional<PointInput> effective_input(const PointGrammar& grammar, PointStart start) {
-    if (start == PointStart::Axiom) return std::nullopt;
-    if (grammar.input) return grammar.input;
-    return start == PointStart::Input || !grammar.axiom ? default_input(grammar) : std::nullopt;
-}
 
 std::vector<Layout> infer_layouts(const PointGrammar& grammar, const PointSettings& settings,
                                   std::vector<PointProblem>& problems) {

@@ -8,17 +8,13 @@
 
 #pragma once
 
-#include "internode/point/point_system.h"
+#include "internode/grammar/points/point_grammar.h"
+#include "internode/point/layout.h"
+#include "internode/point/point_settings.h"
 
 #include <vector>
 
 namespace internode {
-
-/// The input that stands when the grammar gives none, `P(v)`: none where `P` does not have one parameter.
-[[nodiscard]] std::optional<PointInput> default_input(const PointGrammar& grammar);
-
-/// The input that turns polygons into words under these settings, given or by default.
-[[nodiscard]] std::optional<PointInput> effective_input(const PointGrammar& grammar, PointStart start);
 
 /// 1 + passes layouts. Cost: linear in the grammar.
 [[nodiscard]] std::vector<Layout> infer_layouts(const PointGrammar& grammar, const PointSettings& settings,

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// What a point system and its words may be at most, beside the limits of its text (grammar/lexing/limits.h) and of
-// its polygon (io/limits.h). A refusal names its number.
+// What a point system and its words may be at most, beside the limits of its text (grammar/lexing/limits.h), of
+// its expressions (expression/limits.h) and of its polygon (io/file/limits.h). A refusal names its number.
 
 #pragma once
 
+#include "internode/expression/limits.h"
 #include "internode/text/limits.h"
 
 #include <array>
@@ -12,15 +13,6 @@
 #include <cstdint>
 
 namespace internode {
-
-/// Numerator and denominator of a number that is known before a word is, together: twice what the longest literal
-/// needs. Beyond, it goes on as a double, so that exact work stays bounded by the text.
-inline constexpr std::size_t max_known_bits = 8192;
-
-/// Operations of one expression with its calls written out (a function that calls another twice doubles its cost), and
-/// of all constants together.
-inline constexpr std::uint64_t max_expression_operations = 1'000'000;
-inline constexpr std::uint64_t max_constant_operations = 100'000;
 
 inline constexpr std::uint64_t max_cycle_steps = 100'000;
 

@@ -3,6 +3,7 @@
 #include "internode/point/matching.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace internode {
 
@@ -40,6 +41,7 @@ public:
             stems_.push_back(last_);
             if (!branch_continues_) last_ = none;
         } else if (leaves) {
+            assert(!stems_.empty() && "a branch that is left was entered");
             last_ = stems_.back();
             stems_.pop_back();
         } else {
@@ -77,12 +79,14 @@ WordShape::WordShape(std::span<const Symbol> letters, const PointGrammar& gramma
 }
 
 std::optional<std::size_t> WordShape::before(std::size_t i) const {
+    assert(i < letters_.size());
     if (!before_.empty()) return before_[i] == none ? std::nullopt : std::optional(before_[i]);
     if (i > 0) return i - 1;
     return ring_ ? std::optional(letters_.size() - 1) : std::nullopt;
 }
 
 std::optional<std::size_t> WordShape::after(std::size_t i) const {
+    assert(i < letters_.size());
     if (!after_.empty()) return after_[i] == none ? std::nullopt : std::optional(after_[i]);
     if (i + 1 < letters_.size()) return i + 1;
     return ring_ ? std::optional<std::size_t>(0) : std::nullopt;
@@ -90,6 +94,7 @@ std::optional<std::size_t> WordShape::after(std::size_t i) const {
 
 bool WordShape::fits(const PointRule& rule, std::size_t i, std::vector<std::size_t>& modules,
                      std::uint64_t* compared) const {
+    assert(i < letters_.size() && !rule.predecessor.empty());
     const std::size_t count = rule.predecessor.size();
     std::size_t equal = 0;
     while (equal < count && equal < letters_.size() - i && rule.predecessor[equal] == letters_[i + equal]) ++equal;

@@ -3,11 +3,12 @@
 // A word of modules with their parameters, in doubles: A(4) A(3.5) P((0, 1), 2).
 //
 // Letters and values stand apart, each in one array: the values of a module are its parameters in their order, a
-// number as one double and a point as its coordinates (the layout of the letter says which, point/point_system.h).
+// number as one double and a point as its coordinates (the layout of the letter says which, point/layout.h).
 
 #pragma once
 
-#include "internode/point/point_system.h"
+#include "internode/grammar/points/point_grammar.h"
+#include "internode/point/layout.h"
 
 #include <cstddef>
 #include <span>
@@ -44,32 +45,5 @@ private:
 /// S0 eq. 12, a blank between modules: `A(4) A(3.5) A(7.5) B(10)`; points in parentheses, numbers by shortest round
 /// trip.
 [[nodiscard]] std::string to_string(const ModuleWord& word, const PointGrammar& grammar, const Layout& layout);
-
-/// The word of the grammar's axiom. \throw std::invalid_argument when it has none, or when the system was made for the
-/// input alone
-[[nodiscard]] ModuleWord axiom_word(const PointSystem& system);
-
-/// The word that the grammar's input makes of a polygon: rows of system.dimension() coordinates.
-/// \throw std::invalid_argument for no point, another dimension, a parameter that would not be finite, and when the
-/// system was made for the axiom alone
-[[nodiscard]] ModuleWord input_word(const PointSystem& system, std::span<const double> points);
-
-/// The drawing of a word: the modules with exactly one point are joined along their axes (a branch starts at the point
-/// before it, a ring is closed); a module with two points is a line of its own.
-struct PointStrands {
-    std::size_t dimension = 0;  ///< of all points; 0 when there is none
-    std::vector<double> points; ///< of the modules with exactly one point, in the order of the word
-    struct Strand {
-        std::vector<std::size_t> points; ///< indices of points, at least one
-        bool closed = false;
-    };
-    std::vector<Strand> strands;
-    std::vector<double> lines; ///< pairs of points
-    [[nodiscard]] std::size_t size() const { return dimension == 0 ? 0 : points.size() / dimension; }
-};
-
-/// `passes`: after how many interpretation passes the word is. Points of several dimensions in one word: those of the
-/// first are kept. A branch without points has no strand. Cost: linear.
-[[nodiscard]] PointStrands strands(const ModuleWord& word, const PointSystem& system, std::size_t passes);
 
 } // namespace internode

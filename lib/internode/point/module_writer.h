@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include "internode/expression/program_run.h"
 #include "internode/point/module_word.h"
 #include "internode/point/rule_programs.h"
 

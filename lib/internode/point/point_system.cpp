@@ -2,8 +2,9 @@
 
 #include "internode/point/point_system.h"
 
-#include "internode/point/constants.h"
-#include "internode/point/kinds.h"
+#include "internode/expression/constants.h"
+#include "internode/expression/known_value.h"
+#include "internode/expression/limits.h"
 #include "internode/point/layouts.h"
 #include "internode/point/limits.h"
 #include "internode/point/module_writer.h"
@@ -41,16 +42,16 @@ public:
 
     CheckedPointSystem make() {
         check_dimension();
-        known_ = constant_values(system_.grammar_, settings_.constants, problems_);
+        system_.constants_ = constant_values(system_.grammar_.definitions, settings_.constants, problems_);
         if (problems_.empty()) {
             check_costs();
             check_tables();
             system_.layouts_ = infer_layouts(system_.grammar_, settings_, problems_);
+            check_end_markers();
             expand_cycle();
         }
         if (problems_.empty()) make_programs_and_axiom();
         if (!problems_.empty()) return {std::nullopt, std::move(problems_)};
-        for (const KnownNumber& one : known_) system_.constants_.push_back({nearest(one), one.exact});
         system_.rules_of_ = rules_by_table(system_.grammar_);
         return {std::move(system_), {}};
     }
@@ -64,7 +65,7 @@ private:
     }
 
     void check_costs() {
-        const std::vector<std::uint64_t> costs = definition_costs(system_.grammar_);
+        const std::vector<std::uint64_t> costs = definition_costs(system_.grammar_.definitions);
         const auto check = [&](const Expression& expression) {
             if (operations(expression, costs) > max_expression_operations)
                 problems_.push_back({expression.place,
@@ -83,6 +84,23 @@ private:
         problems_.push_back({{},
                              fmt::format("{} tables for {} rules and letters", grammar.tables.size(), entries),
                              fmt::format("their product may be {}", max_table_entries)});
+    }
+
+    /// A rule that waits for an end marker which no word has would never be applied.
+    void check_end_markers() {
+        const PointGrammar& grammar = system_.grammar_;
+        const std::optional<Symbol> marker = end_marker(grammar);
+        if (!problems_.empty() || !marker) return;
+        const auto check = [&](const std::vector<PointRule>& rules, const Layout& layout) {
+            if (layout[to_index(*marker)]) return;
+            for (const PointRule& rule : rules)
+                if (std::ranges::count(rule.left, *marker) + std::ranges::count(rule.right, *marker) > 0)
+                    problems_.push_back({rule.place, "a context with `#`, which nothing puts into a word",
+                                         "`input # P(v) #` puts one at each end of a polygon"});
+        };
+        check(grammar.rules, system_.layouts_.front());
+        for (std::size_t pass = 0; pass < grammar.interpretations.size(); ++pass)
+            check(grammar.interpretations[pass], system_.layouts_[pass]);
     }
 
     void for_each_expression(const auto& visit) {
@@ -109,9 +127,10 @@ private:
     }
 
     void make_programs_and_axiom() {
-        auto programs = std::make_shared<PointPrograms>(make_programs(system_.grammar_, known_, system_.layouts_));
+        auto programs =
+            std::make_shared<PointPrograms>(make_programs(system_.grammar_, system_.constants_, system_.layouts_));
         if (system_.grammar_.axiom && settings_.start != PointStart::Input) {
-            ProgramMaker maker(system_.grammar_, known_);
+            ProgramMaker maker(system_.scope());
             ModuleWriter writer(maker.functions());
             for (const ModuleTemplate& one : *system_.grammar_.axiom) {
                 ModulePrograms compiled{one.letter, {}};
@@ -140,8 +159,9 @@ private:
     /// How often the table is applied, saturating above max_cycle_steps.
     std::optional<std::uint64_t> count_of(const CycleItem& item) {
         if (!item.count) return 1;
-        if (!expect_type({}, "the count", *item.count, {}, system_.grammar_, problems_)) return std::nullopt;
-        const KnownNumber value = evaluate_known(*item.count, {}, system_.grammar_, known_);
+        if (!expect_type({}, "the count", *item.count, {}, system_.grammar_.definitions, problems_))
+            return std::nullopt;
+        const KnownNumber value = evaluate_known(*item.count, {}, system_.scope());
         if (!value.exact || value.exact->get_den() != 1 || *value.exact < 0) {
             problems_.push_back({item.count->place,
                                  fmt::format("a table is applied {} times",
@@ -154,7 +174,6 @@ private:
 
     const PointSettings& settings_;
     PointSystem system_;
-    std::vector<KnownNumber> known_;
     std::vector<PointProblem> problems_;
 };
 

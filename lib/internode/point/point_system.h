@@ -10,46 +10,19 @@
 
 #pragma once
 
+#include "internode/expression/definition_scope.h"
 #include "internode/grammar/points/point_grammar.h"
+#include "internode/point/layout.h"
+#include "internode/point/point_settings.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace internode {
-
-/// 0: a number; k >= 1: a point of k coordinates.
-using Extent = std::uint32_t;
-
-/// The parameters of each letter: none where no word has the letter.
-using Layout = std::vector<std::optional<std::vector<Extent>>>;
-
-/// Where the words come from. `Any`: the axiom and the input, where the grammar has them; with neither, or with
-/// `Input`, points become `P(v)`.
-enum class PointStart : std::uint8_t { Any, Axiom, Input };
-
-struct PointSettings {
-    std::size_t dimension = 2;                   ///< coordinates of the points of the input, 1 … 64
-    std::map<std::string, Rational> constants{}; ///< values of constants, instead of the grammar's
-    PointStart start = PointStart::Any;
-};
-
-struct ConstantValue {
-    double value = 0;              ///< finite; the nearest double where `exact` is present
-    std::optional<Rational> exact; ///< none where a root or a number of thousands of digits came in (known_number.h)
-};
-
-/// A fact about the grammar that a user has to mend.
-struct PointProblem {
-    SourcePlace place;
-    std::string message;
-    std::string hint; ///< may be empty
-};
 
 struct PointPrograms;
 
@@ -57,8 +30,10 @@ class PointSystem {
 public:
     [[nodiscard]] const PointGrammar& grammar() const { return grammar_; }
     [[nodiscard]] std::size_t dimension() const { return dimension_; }
-    /// Of a definition without formals.
-    [[nodiscard]] const ConstantValue& constant(std::uint32_t definition) const { return constants_[definition]; }
+    /// The value of a definition without formals: finite.
+    [[nodiscard]] const KnownNumber& constant(std::uint32_t definition) const { return constants_[definition]; }
+    /// What expressions of the grammar may name; valid as long as the system.
+    [[nodiscard]] DefinitionScope scope() const { return {grammar_.definitions, constants_}; }
     /// Of the words of the derivation (pass 0), or after so many interpretation passes.
     [[nodiscard]] const Layout& layout(std::size_t passes = 0) const { return layouts_[passes]; }
     /// The table of each derivation step of a cycle; without tables, one step without a table.
@@ -79,8 +54,8 @@ private:
     PointGrammar grammar_;
     std::size_t dimension_ = 2;
     PointStart start_ = PointStart::Any;
-    std::vector<ConstantValue> constants_; ///< one per definition; meaningful for constants
-    std::vector<Layout> layouts_;          ///< 1 + passes
+    std::vector<KnownNumber> constants_; ///< one per definition; meaningful for constants
+    std::vector<Layout> layouts_;        ///< 1 + passes
     std::vector<std::optional<std::uint32_t>> cycle_;
     std::vector<std::vector<std::uint32_t>> rules_of_; ///< per table; one entry without tables
     std::shared_ptr<const PointPrograms> programs_;

@@ -25,7 +25,9 @@ public:
         , options_(options)
         , record_(record)
         , shape_(word.letters(), task.system.grammar())
-        , writer_(task.system.programs().functions) {}
+        , writer_(task.system.programs().functions) {
+        assert(task.rules.size() == set_.rules.size() && task.table < set_.by_letter.size());
+    }
 
     Derivation run() {
         if (record_ != nullptr) *record_ = {};
@@ -72,6 +74,7 @@ private:
     }
 
     void gather(const PointRule& rule) {
+        assert(modules_.size() == rule.left.size() + rule.predecessor.size() + rule.right.size());
         formals_.clear();
         if (rule.formals.empty()) return;
         for (const std::size_t module : modules_) {
@@ -97,6 +100,7 @@ private:
             }
             drawn_.push_back({index, total});
         }
+        assert(!drawn_.empty() && "the first rule that fits is drawn among the others");
         const double target = uniform_draw(options_.seed, task_.stream, i) * total;
         std::size_t k = 0;
         while (k + 1 < drawn_.size() && drawn_[k].up_to <= target) ++k;
@@ -192,6 +196,7 @@ private:
         const PointRule* several = nullptr;
         for (const std::uint32_t index : candidates(i))
             if (several == nullptr && task_.rules[index].predecessor.size() > 1) several = &task_.rules[index];
+        assert(several != nullptr);
         problem_ = {several->place,
                     fmt::format("module {}, `{}`, is left over: {} needs {} modules in a row that are not yet "
                                 "rewritten",

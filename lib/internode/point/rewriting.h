@@ -4,7 +4,8 @@
 
 #pragma once
 
-#include "internode/point/interpreter.h"
+#include "internode/point/derivation.h"
+#include "internode/point/point_system.h"
 
 #include <cstdint>
 #include <optional>

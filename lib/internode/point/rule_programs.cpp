@@ -3,6 +3,7 @@
 #include "internode/point/rule_programs.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace internode {
 
@@ -52,6 +53,7 @@ public:
 
 private:
     void list(const PointRule& rule, std::uint32_t index) {
+        assert(!rule.predecessor.empty());
         const std::size_t letter = to_index(rule.predecessor.front());
         const std::size_t first = rule.table.value_or(0);
         const std::size_t last = rule.table ? first + 1 : set_.by_letter.size();
@@ -70,7 +72,8 @@ private:
 
 PointPrograms make_programs(const PointGrammar& grammar, std::span<const KnownNumber> constants,
                             std::span<const Layout> layouts) {
-    ProgramMaker maker(grammar, constants);
+    assert(layouts.size() == 1 + grammar.interpretations.size());
+    ProgramMaker maker({grammar.definitions, constants});
     PointPrograms programs;
     programs.sets.push_back(RuleSetMaker(grammar, std::max<std::size_t>(1, grammar.tables.size()), maker)
                                 .make(grammar.rules, layouts.front()));

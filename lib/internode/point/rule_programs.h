@@ -4,7 +4,9 @@
 
 #pragma once
 
-#include "internode/point/evaluation.h"
+#include "internode/expression/program.h"
+#include "internode/grammar/points/point_grammar.h"
+#include "internode/point/layout.h"
 #include "internode/point/module_word.h"
 
 #include <cstdint>

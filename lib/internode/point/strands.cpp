@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 
-#include "internode/point/module_word.h"
+#include "internode/point/strands.h"
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
 
 namespace internode {
@@ -97,6 +98,7 @@ private:
             drawing_.strands.emplace_back();
             if (!stems_.empty() && current_.last != none) drawing_.strands.back().points.push_back(current_.last);
         }
+        assert(current_.strand < drawing_.strands.size() && point < drawing_.size());
         drawing_.strands[current_.strand].points.push_back(point);
         current_.last = point;
     }
@@ -107,6 +109,7 @@ private:
     }
 
     void leave() {
+        assert(!stems_.empty());
         current_ = stems_.back();
         stems_.pop_back();
     }
@@ -144,6 +147,7 @@ private:
 } // namespace
 
 PointStrands strands(const ModuleWord& word, const PointSystem& system, std::size_t passes) {
+    assert(passes <= system.grammar().interpretations.size());
     return Drawing(word, system, passes).make();
 }
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Masks belong to words of d+1 letters, stencils to windows of 2d-1: two graphs over the same choice of words. Windows
+// are found breadth first from the start, each by the children of the one before.
 
 #include "internode/report/mask_table.h"
 
@@ -6,6 +9,7 @@
 #include "internode/word/graph.h"
 
 #include <algorithm>
+#include <cassert>
 #include <string>
 #include <unordered_map>
 
@@ -68,23 +72,55 @@ void mark_persistent(std::vector<WindowRow>& rows) {
     for (std::size_t v = 0; v < rows.size(); ++v) rows[v].persistent = reached[v];
 }
 
-std::vector<WindowRow> make_windows(const IntervalSystem& system, const std::vector<Word>& start, std::size_t limit) {
+/// The windows of the table and their children by number; no weights.
+struct WindowGraph {
+    std::vector<Word> windows;
+    Graph children;
+};
+
+WindowGraph window_graph(const IntervalSystem& system, const std::vector<Word>& start, std::size_t limit) {
     WindowList list(limit);
     for (const Word& window : start)
         if (window[window.size() / 2] != zero_interval) (void)list.add(window);
-    std::vector<WindowRow> rows;
-    while (rows.size() < list.words().size()) {
-        WindowRow row{.stencils = window_stencils(system, list.words()[rows.size()]), .children = {}};
-        for (const Word& child : row.stencils.child_windows) row.children.push_back(list.add(child));
-        rows.push_back(std::move(row));
+    Graph children;
+    while (children.size() < list.words().size()) {
+        const Word window = list.words()[children.size()]; // by value: the list grows
+        std::vector<std::uint32_t>& row = children.emplace_back();
+        for (const Word& child : child_windows(system.rules(), window)) row.push_back(list.add(child));
     }
+    return {list.words(), std::move(children)};
+}
+
+std::vector<WindowRow> make_windows(const IntervalSystem& system, WindowGraph graph) {
+    assert(graph.windows.size() == graph.children.size());
+    std::vector<WindowRow> rows;
+    rows.reserve(graph.windows.size());
+    for (std::size_t v = 0; v < graph.windows.size(); ++v)
+        rows.push_back(
+            {.stencils = window_stencils(system, graph.windows[v]), .children = std::move(graph.children[v])});
     mark_persistent(rows);
     return rows;
 }
 
+/// A mask has a row for each entry, on pieces over its d + 1 letters at most; a window a piece, its children's rows and
+/// d leading ones.
+ExactCounts counts(const MaskTable& table, const WindowGraph& windows) {
+    const auto d = static_cast<std::uint64_t>(table.degree);
+    ExactCounts result;
+    for (const auto& arcs : table.graph.arcs) {
+        result.pieces += std::min<std::uint64_t>(arcs.size(), d + 1);
+        result.rows += arcs.size();
+    }
+    for (const auto& children : windows.children) {
+        result.pieces += 1;
+        result.rows += children.size() + d;
+    }
+    return result;
+}
+
 } // namespace
 
-MaskTable make_mask_table(const IntervalSystem& system, int degree, WordChoice choice, std::size_t limit) {
+MaskTable make_mask_table(const IntervalSystem& system, int degree, WordChoice choice, const ExactLimits& limits) {
     if (degree < 1 || degree > largest_degree)
         throw std::invalid_argument("a degree is 1 to " + std::to_string(largest_degree));
     MaskTable table{.system = system,
@@ -101,12 +137,14 @@ MaskTable make_mask_table(const IntervalSystem& system, int degree, WordChoice c
             table.has_leading = table.has_leading || cell.lead > 0;
         }
     } else {
-        start = word_graph(system, 2 * d - 1, table.choice, limit).words;
+        start = word_graph(system, 2 * d - 1, table.choice, limits.entries).words;
     }
-    table.graph = word_graph(system, d + 1, table.choice, limit);
+    table.graph = word_graph(system, d + 1, table.choice, limits.entries);
+    WindowGraph windows = window_graph(system, start, limits.entries);
+    begin_exact_work(exact_work(system, degree, counts(table, windows)), limits);
     table.masks.reserve(table.graph.words.size());
     for (const Word& word : table.graph.words) table.masks.push_back(mask(system, word));
-    table.windows = make_windows(system, start, limit);
+    table.windows = make_windows(system, std::move(windows));
     return table;
 }
 

@@ -19,23 +19,14 @@ namespace internode {
 
 struct ReversalReport {
     std::string source; ///< base name of the polygon's file
-    std::string name;   ///< of the grammar, for people
+    std::string name;   ///< the grammar's, for people
     Fitting fitting;    ///< what was done to the polygon
     std::size_t dimension = 2;
     std::uint64_t phase = 0;
     std::optional<ReverseRule> rule; ///< derived from the grammar; none: it reduces by itself, and errors are not known
     std::vector<std::vector<double>> polygons; ///< the fine one first
-    std::vector<ReversedLevel> levels;         ///< with a rule: one less than polygons
+    std::vector<ReversedLevel> levels;         ///< errors of each level down, with a rule: one less than polygons
     Generator generator;
 };
-
-/// The production of a derived rule, as the language writes it.
-[[nodiscard]] std::string production_text(const ReverseRule& rule);
-
-/// A heading, the rule with its gain, a table of the levels.
-[[nodiscard]] std::string reversal_text(const ReversalReport& report);
-
-/// "internode-reversal" version 1 (docs/json.md).
-[[nodiscard]] std::string reversal_json(const ReversalReport& report);
 
 } // namespace internode

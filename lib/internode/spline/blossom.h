@@ -33,7 +33,7 @@ public:
 
 private:
     std::vector<Number> knots_;       ///< 2d
-    std::vector<Number> reciprocals_; ///< of the knot differences, by level and position
+    std::vector<Number> reciprocals_; ///< 1 / knot difference, by level and position
 };
 
 /// d + 1 weights of v_{j-d} … v_j, for a single blossom. Exceptions of PolynomialPiece.

@@ -17,8 +17,8 @@ namespace {
 /// lengths that replace it, so no number is divided by ρ.
 struct RefinedWord {
     Word word;                       ///< σ(w)
-    std::vector<Number> knots;       ///< of σ(w)
-    std::vector<std::size_t> letter; ///< of w, that each letter of σ(w) comes from
+    std::vector<Number> knots;       ///< knots of σ(w)
+    std::vector<std::size_t> letter; ///< place in w that each letter of σ(w) comes from
     std::vector<Number> coarse;      ///< knots of w, in units of the refinement
 };
 

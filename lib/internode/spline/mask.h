@@ -15,7 +15,7 @@ namespace internode {
 
 struct MaskEntry {
     Word word;     ///< d + 1 letters: the decomposition of the new control point
-    Number weight; ///< in [0, 1]
+    Number weight; ///< the share of the old basis function, in [0, 1]
 };
 
 struct Mask {

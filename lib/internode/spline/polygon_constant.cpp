@@ -9,13 +9,6 @@
 
 namespace internode {
 
-namespace {
-
-/// Inner words looked at: n^(d-1) at worst, so that 3 symbols at degree 12 still fit.
-constexpr std::size_t max_inner_words = 1'000'000;
-
-} // namespace
-
 Number polygon_constant(const IntervalSystem& system, WordView inner) {
     if (inner.empty()) return {};
     // Σ_{i<j} (t_i - t_j)² = d Σ t_i² - (Σ t_i)².

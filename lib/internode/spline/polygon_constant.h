@@ -11,7 +11,13 @@
 
 #include "internode/interval/interval_system.h"
 
+#include <cstddef>
+
 namespace internode {
+
+/// Persistent words of d - 1 intervals among which the largest constant is looked for: n^(d-1) at worst, so that 3
+/// symbols at degree 12 still fit.
+inline constexpr std::size_t max_inner_words = 1'000'000;
 
 /// c of the d - 1 inner intervals of a basis function of degree d = word.size() + 1.
 [[nodiscard]] Number polygon_constant(const IntervalSystem& system, WordView inner);

@@ -2,6 +2,7 @@
 
 #include "internode/spline/window.h"
 
+#include <cassert>
 #include <cstddef>
 #include <stdexcept>
 #include <utility>
@@ -69,6 +70,20 @@ std::vector<Number> WindowPiece::bezier(std::size_t b) const {
     std::vector<Number> arguments(degree() - b, knots_[first_]);
     arguments.resize(degree(), knots_[first_ + child_count_]);
     return piece_.weights(arguments);
+}
+
+std::vector<Word> child_windows(const Morphism& rules, WordView window) {
+    assert(window.size() % 2 == 1);
+    const std::size_t middle = window.size() / 2;
+    const std::size_t first = rules(window.first(middle)).size();
+    const Word image = rules(window);
+    std::vector<Word> windows;
+    for (std::size_t c = 0; c < rules.image(window[middle]).size(); ++c) {
+        assert(first + c >= middle);
+        const auto begin = image.begin() + static_cast<std::ptrdiff_t>(first + c - middle);
+        windows.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(window.size()));
+    }
+    return windows;
 }
 
 WindowStencils window_stencils(const IntervalSystem& system, WordView window) {

@@ -40,15 +40,18 @@ private:
     static Refined refine(const IntervalSystem& system, WordView window);
 
     Word image_;                ///< σ(window)
-    std::vector<Number> knots_; ///< of σ(window)
+    std::vector<Number> knots_; ///< knots of σ(window)
     std::size_t first_;         ///< place of child 0 in image_
     std::size_t child_count_;
-    PolynomialPiece piece_; ///< in units of the refinement
+    PolynomialPiece piece_; ///< the piece over the middle interval, in units of the refinement
 };
 
+/// The windows of the children of the middle letter, without their rows: each 2d - 1 letters of σ(window).
+[[nodiscard]] std::vector<Word> child_windows(const Morphism& rules, WordView window);
+
 struct WindowStencils {
-    Word window;                               ///< 2d - 1 letters, the middle one not `0`
-    std::vector<Word> child_windows;           ///< of each child of the middle letter: 2d - 1 letters of σ(window)
+    Word window;                     ///< 2d - 1 letters, the middle one not `0`
+    std::vector<Word> child_windows; ///< the window of each child of the middle letter: 2d - 1 letters of σ(window)
     std::vector<std::vector<Number>> children; ///< d + 1 weights per child
     std::vector<std::vector<Number>> leading;  ///< d rows, z = 1 … d, of d + 1 weights
 };

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <limits>
 #include <string>
 
@@ -14,9 +15,10 @@ namespace internode {
 /// Explores the states breadth first from the start, each once, and shares equal rows.
 class AutomatonBuilder {
 public:
-    AutomatonBuilder(const IntervalSystem& system, int degree, std::size_t limit)
+    AutomatonBuilder(const IntervalSystem& system, int degree, const ExactLimits& limits)
         : system_(system)
-        , limit_(limit) {
+        , limits_(limits)
+        , limit_(std::min<std::size_t>(limits.entries, std::numeric_limits<std::uint32_t>::max())) {
         automaton_.degree_ = degree;
         automaton_.width_ = static_cast<std::size_t>(degree) + 1;
     }
@@ -39,34 +41,28 @@ public:
             expand(automaton_.states_[expanded++]);
         }
         automaton_.first_child_.push_back(automaton_.children_.size());
-        if (rows == AutomatonRows::Exact)
-            for (std::uint32_t state = 0; state < automaton_.state_count(); ++state) add_rows(state);
+        if (rows == AutomatonRows::None) return std::move(automaton_);
+        // A piece for each state, a row for each child.
+        begin_exact_work(
+            exact_work(system_, automaton_.degree_, {automaton_.states_.size(), automaton_.children_.size()}), limits_);
+        for (std::uint32_t state = 0; state < automaton_.state_count(); ++state) add_rows(state);
         return std::move(automaton_);
     }
 
 private:
     /// By value: the states move while new ones are added.
     void expand(CellState state) {
-        const std::size_t d = automaton_.width() - 1;
-        Word image;
-        std::size_t first = 0; // child of the middle letter
-        for (std::size_t i = 0; i < state.window.size(); ++i) {
-            if (i + 1 == d) first = image.size();
-            const WordView letters = system_.rules().image(state.window[i]);
-            image.insert(image.end(), letters.begin(), letters.end());
-        }
-        const std::size_t count = state.lead > 0 ? 1 : system_.rules().image(state.window[d - 1]).size();
-        for (std::size_t c = 0; c < count; ++c) {
-            const auto begin = image.begin() + static_cast<std::ptrdiff_t>(first + c + 1 - d);
-            const CellState child{{begin, begin + static_cast<std::ptrdiff_t>(2 * d - 1)}, state.lead};
-            automaton_.children_.push_back({number(child), 0});
-        }
+        std::vector<Word> windows = child_windows(system_.rules(), state.window);
+        assert(!windows.empty());
+        if (state.lead > 0) windows.resize(1);
+        for (Word& window : windows) automaton_.children_.push_back({number({std::move(window), state.lead}), 0});
     }
 
     void add_rows(std::uint32_t state) {
         const auto [window, lead] = automaton_.states_[state];
         const WindowPiece piece(system_, window);
         StencilAutomaton::Child* const children = automaton_.children_.data() + automaton_.first_child_[state];
+        assert(automaton_.children(state).size() == (lead > 0 ? 1 : piece.child_count()));
         if (lead > 0) {
             children[0].row = shared(piece.leading(lead));
             return;
@@ -88,6 +84,7 @@ private:
     }
 
     std::uint32_t shared(const std::vector<Number>& row) {
+        assert(row.size() == automaton_.width());
         std::vector<double> rounded;
         std::uint64_t hash = 0;
         for (const Number& weight : row) {
@@ -105,9 +102,11 @@ private:
     }
 
     const IntervalSystem& system_;
-    std::size_t limit_;
+    const ExactLimits& limits_;
+    std::size_t limit_; ///< the most states that there may be
     StencilAutomaton automaton_;
-    std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> rows_; ///< by hash of the doubles
+    std::unordered_map<std::uint64_t, std::vector<std::uint32_t>>
+        rows_; ///< indices of rows by the hash of their doubles
 };
 
 std::uint32_t StencilAutomaton::find(const CellState& state) const {
@@ -119,9 +118,9 @@ std::uint32_t StencilAutomaton::find(const CellState& state) const {
 }
 
 StencilAutomaton make_automaton(const IntervalSystem& system, int degree, const std::vector<CellState>& start,
-                                std::size_t limit, AutomatonRows rows) {
+                                const ExactLimits& limits, AutomatonRows rows) {
     if (degree < 1 || degree > 12) throw std::invalid_argument("a stencil automaton has a degree from 1 to 12");
-    AutomatonBuilder builder(system, degree, std::min<std::size_t>(limit, std::numeric_limits<std::uint32_t>::max()));
+    AutomatonBuilder builder(system, degree, limits);
     for (const CellState& state : start) builder.add(state);
     return builder.build(rows);
 }

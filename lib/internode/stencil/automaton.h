@@ -15,6 +15,7 @@
 #pragma once
 
 #include "internode/interval/interval_system.h"
+#include "internode/spline/exact_work.h"
 #include "internode/stencil/cell_automaton.h"
 #include "internode/text/limits.h"
 
@@ -61,9 +62,9 @@ private:
 };
 
 /// The automaton that holds `start` and everything it leads to. degree 1 … 12; every window 2d-1 letters with a
-/// non-empty middle. \throw TooManyStates beyond `limit`, std::invalid_argument
+/// non-empty middle. \throw TooManyStates and TooMuchWork beyond the limits, std::invalid_argument
 [[nodiscard]] StencilAutomaton make_automaton(const IntervalSystem& system, int degree,
-                                              const std::vector<CellState>& start, std::size_t limit,
+                                              const std::vector<CellState>& start, const ExactLimits& limits,
                                               AutomatonRows rows = AutomatonRows::Exact);
 
 /// The states of the cells of a word: N when circular; N when the word is open and has N + d letters, the first d cells

@@ -29,7 +29,7 @@ std::vector<Scalar> converted(const std::vector<double>& weights) {
 struct Task {
     std::size_t first_cell;
     std::size_t last_cell;
-    std::size_t first_point; ///< of the output
+    std::size_t first_point; ///< place of the first point in the output
 };
 
 /// Runs of cells that write about `grain` points each.
@@ -146,7 +146,7 @@ private:
     const State* states_;
     std::size_t cells_;
     ParentRows<Scalar> parents_;
-    std::vector<Scalar> own_weights_; ///< when not double
+    std::vector<Scalar> own_weights_; ///< the weights as Scalar, when that is not double
     std::size_t left_ = 0;            ///< cells before this read copies
     std::size_t right_ = 0;           ///< and from this on
     std::vector<Scalar> ends_;

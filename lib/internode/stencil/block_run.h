@@ -15,7 +15,7 @@ namespace internode {
 
 template<typename Scalar>
 struct ParentRows {
-    const Scalar* first;   ///< of as many points as there are cells
+    const Scalar* first;   ///< the first of as many points as there are cells
     std::size_t dimension; ///< coordinates of a point
 };
 

@@ -25,7 +25,7 @@ namespace internode {
 class CellAutomaton {
 public:
     struct Child {
-        std::uint32_t state; ///< of the new cell
+        std::uint32_t state; ///< state of the new cell
         std::uint32_t row;   ///< index of its weights; 0 without rows
         friend bool operator==(const Child&, const Child&) = default;
     };
@@ -60,7 +60,7 @@ public:
 protected:
     friend class CellAutomatonBuilder;
     std::size_t width_ = 2;
-    std::vector<std::int32_t> offset_;     ///< of the first parent relative to the cell, per state
+    std::vector<std::int32_t> offset_;     ///< place of the first parent relative to the cell, for each state
     std::vector<std::size_t> first_child_; ///< state_count() + 1
     std::vector<Child> children_;
     std::vector<Number> exact_;   ///< row_count() * width()

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// The rows of k steps at once are blossoms of the same old interval at the knots after k steps. They are taken in pairs
+// of doubles from exact lengths and rounded once. Where intermediate sums are so large that 106 bits might not do,
+// there is no table, and the plan goes step by step.
 
 #include "internode/stencil/fused_stencils.h"
 

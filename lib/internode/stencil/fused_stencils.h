@@ -23,7 +23,7 @@ struct FusedStencils {
     std::size_t width = 2; ///< d + 1
     /// Per state, the first of its rows: state_count() + 1. A wanted state has one row per descendant after k steps.
     std::vector<std::uint32_t> first_row;
-    std::vector<std::int32_t> offset;       ///< of the first parent relative to the cell, per state
+    std::vector<std::int32_t> offset;       ///< place of the first parent relative to the cell, for each state
     std::vector<double> weights;            ///< width a row
     std::vector<std::uint32_t> descendants; ///< state of the new cell, per row
 

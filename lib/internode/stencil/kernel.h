@@ -16,7 +16,7 @@ namespace internode {
 /// Which instructions the kernels may use; the results are the same.
 enum class Isa {
     Best,  ///< the widest that this machine has
-    Plain, ///< what every machine of this architecture has
+    Plain, ///< instructions that every machine of this architecture has
     Avx2   ///< AVX2, or plain where the machine has none
 };
 

@@ -13,7 +13,7 @@ namespace internode {
 
 struct Levels {
     std::vector<std::uint64_t> sizes;        ///< steps + 1
-    std::vector<std::vector<bool>> occupied; ///< per level, per state
+    std::vector<std::vector<bool>> occupied; ///< whether each state occurs, for each level
 };
 
 /// From the states of the cells of a word. \throw std::length_error for more than 2^62 cells

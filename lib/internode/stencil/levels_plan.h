@@ -46,7 +46,7 @@ private:
     [[nodiscard]] CellArray cells_of(int base) const;
 
     RefinementPlan plan_;
-    std::vector<Level> levels_;         ///< of level 1, 2, …
+    std::vector<Level> levels_;         ///< how levels 1, 2, … are made
     std::vector<std::uint64_t> starts_; ///< n + 1
 };
 

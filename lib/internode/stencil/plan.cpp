@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Steps are cut into blocks, each as long as its table allows. The choice depends on the cells and the steps alone,
+// never on the machine or the threads, so that the bytes do not either.
 
 #include "internode/stencil/plan.h"
 

@@ -23,9 +23,11 @@
 namespace internode {
 
 struct PlanOptions {
-    std::size_t table_bytes = 24 * 1024; ///< of the weights of a block: with room to spare in a first cache of 32 KiB
-    std::uint64_t points_per_row = 256;  ///< that a block writes for a row of its table to pay: what deriving one takes
-    int most_fused_steps = 64;           ///< 1: step by step, with exact rows rounded once
+    std::size_t table_bytes =
+        24 * 1024; ///< size of the weights of a block: with room to spare in a first cache of 32 KiB
+    std::uint64_t points_per_row =
+        256;                   ///< points that a block writes for a row of its table to pay: what deriving one takes
+    int most_fused_steps = 64; ///< 1: step by step, with exact rows rounded once
     std::size_t state_limit = max_states;
 };
 

@@ -24,7 +24,7 @@ struct StepMatrix {
     };
     std::uint64_t rows = 0;
     std::uint64_t columns = 0;
-    std::vector<Entry> entries; ///< by row, then by column
+    std::vector<Entry> entries; ///< entries that are not 0, by row, then by column
 };
 
 /// Of a word that fits the degree (curve/curve.h): N letters circular, N + d open, N points. \throw TooManyStates

@@ -57,8 +57,8 @@ struct GridData {
 };
 
 struct CheckedGrid {
-    std::optional<Grid> grid;          ///< when everything fits
-    std::vector<std::string> problems; ///< what does not, each a sentence with the numbers
+    std::optional<Grid> grid;          ///< the grid, when everything fits
+    std::vector<std::string> problems; ///< what does not fit, each a sentence with the numbers
 };
 
 /// Checks that there is a point for each pair of knots, that every coordinate is finite and every weight positive, by a

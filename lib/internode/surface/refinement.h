@@ -19,7 +19,7 @@ struct GridSize {
     std::uint64_t rows = 0;    ///< control points along u after the steps
     std::uint64_t columns = 0; ///< along v
     std::uint64_t points = 0;  ///< rows · columns
-    std::uint64_t bytes = 0;   ///< that the refinement needs: at most, beside words and tables
+    std::uint64_t bytes = 0;   ///< memory that the refinement needs: at most, beside words and tables
     bool exceeded = false;     ///< more points than the cap: all of these are then lower bounds
 };
 

@@ -3,6 +3,7 @@
 #include "internode/surface/reverse.h"
 
 #include "internode/curve/reverse/hierarchy.h"
+#include "internode/curve/reverse/reverse_step.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -9,7 +9,7 @@
 
 #pragma once
 
-#include "internode/curve/reverse/reverse_step.h"
+#include "internode/curve/reverse/details.h"
 #include "internode/surface/grid.h"
 
 #include <span>

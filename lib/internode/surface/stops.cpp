@@ -7,6 +7,7 @@
 #include "internode/stencil/automaton.h"
 
 #include <array>
+#include <cassert>
 #include <unordered_map>
 
 namespace internode {
@@ -30,23 +31,14 @@ private:
     std::array<std::size_t, 2> append(const WindowPiece& piece) {
         const std::size_t d = piece.degree();
         const std::size_t next = stops_.positions.size() / stops_.width;
-        append(piece.bezier(0), piece.bezier(0), piece.bezier(1));
-        append(piece.bezier(d), piece.bezier(d - 1), piece.bezier(d));
+        append(piece.bezier(0));
+        append(piece.bezier(d));
         return {next, next + 1};
     }
 
-    /// The derivative of a Bézier curve at an end points along the last leg of its polygon.
-    void append(const std::vector<Number>& position, const std::vector<Number>& from, const std::vector<Number>& to) {
-        Number largest(0);
-        for (std::size_t k = 0; k < stops_.width; ++k) {
-            const Number difference = to[k] - from[k];
-            const Number size = difference.sign() < 0 ? -difference : difference;
-            if ((size - largest).sign() > 0) largest = size;
-        }
-        for (std::size_t k = 0; k < stops_.width; ++k) {
-            stops_.positions.push_back(position[k].to_double());
-            stops_.derivatives.push_back(((to[k] - from[k]) / largest).to_double());
-        }
+    void append(const std::vector<Number>& position) {
+        assert(position.size() == stops_.width);
+        for (const Number& weight : position) stops_.positions.push_back(weight.to_double());
     }
 
     const IntervalSystem& system_;

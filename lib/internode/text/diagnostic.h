@@ -7,6 +7,9 @@
 
 #pragma once
 
+#include "internode/text/did_you_mean.h"
+#include "internode/text/printable.h"
+
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -24,6 +27,7 @@ struct Diagnostic {
     std::string
         source_line; ///< the offending line, raw, or the part of a very long one round the offence; may be empty
     std::size_t source_column = 1; ///< the column of the first code point of source_line
+    std::string_view code;         ///< stable name of the error, a literal: "grammar.no-rule"; empty where it has none
 };
 
 /// The most errors shown of one text; the rest is counted.
@@ -35,13 +39,5 @@ inline constexpr std::size_t shown_errors = 20;
 
 /// The first shown_errors diagnostics, then "and N more errors" when there are more.
 [[nodiscard]] std::string to_string(const std::vector<Diagnostic>& diagnostics);
-
-/// Text of a user as a terminal may see it: control characters, bidirectional and invisible ones as \u{202e}, bytes
-/// that are not UTF-8 as \xNN, a tab as four blanks.
-[[nodiscard]] std::string printable(std::string_view text);
-
-/// The candidate closest to `word` in edits (insert, delete, replace, swap neighbours), if near enough to be meant: at
-/// most a third of its length, at least 1, or the same but for case; empty otherwise. The first of equals.
-[[nodiscard]] std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
 
 } // namespace internode

@@ -19,15 +19,17 @@ namespace internode {
 /// A piece of a line.
 struct LinePiece {
     std::string_view text;
-    std::size_t offset = 0; ///< in the line, in bytes
+    std::size_t offset = 0; ///< bytes of the line before it
 };
 
 class TextLines {
 public:
-    /// Both must outlive the lines. A byte order mark is passed over.
-    TextLines(std::string_view text, std::string_view source)
+    /// All must outlive the lines, and `code`, that of every complaint, the diagnostics. A byte order mark is passed
+    /// over.
+    TextLines(std::string_view text, std::string_view source, std::string_view code)
         : text_(text)
-        , source_(source) {
+        , source_(source)
+        , code_(code) {
         constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
         if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
     }
@@ -52,6 +54,7 @@ public:
         const std::size_t width = place_of(piece.text, piece.text.size()).column - 1;
         diagnostic.width = width == 0 ? 1 : width;
         diagnostic.hint = std::move(hint);
+        diagnostic.code = code_;
         errors_.push_back(std::move(diagnostic));
     }
 
@@ -61,6 +64,7 @@ public:
         diagnostic.source = source_;
         diagnostic.message = std::move(message);
         diagnostic.hint = std::move(hint);
+        diagnostic.code = code_;
         errors_.push_back(std::move(diagnostic));
     }
 
@@ -69,6 +73,7 @@ public:
 private:
     std::string_view text_; ///< what is not read yet
     std::string_view source_;
+    std::string_view code_;
     std::string_view line_;
     std::size_t number_ = 0;
     std::vector<Diagnostic> errors_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -23,6 +24,7 @@ std::int64_t clamped_exponent(std::string_view text) {
     const bool negative = text.starts_with('-');
     if (negative || text.starts_with('+')) text.remove_prefix(1);
     std::int64_t value = 0;
+    assert(std::ranges::all_of(text, is_digit));
     for (const char c : text) value = std::min<std::int64_t>(10 * value + (c - '0'), 1'000'000'000);
     return negative ? -value : value;
 }
@@ -34,6 +36,7 @@ bool underflows(std::string_view text) {
     const std::string_view mantissa = text.substr(0, e);
     const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
     const std::size_t first = mantissa.find_first_of("123456789");
+    assert(first != std::string_view::npos);
     const std::int64_t exponent = e == std::string_view::npos ? 0 : clamped_exponent(text.substr(e + 1));
     return static_cast<std::int64_t>(point) - static_cast<std::int64_t>(first) + exponent < 0;
 }
@@ -59,6 +62,7 @@ void append(std::string& text, double value) {
     if (!std::isfinite(value)) throw std::invalid_argument("a number that is not finite has no decimal text");
     std::array<char, 32> buffer; // the longest shortest double has 24 characters: -2.2250738585072014e-308
     const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    assert(error == std::errc());
     text.append(buffer.data(), end);
 }
 

@@ -5,6 +5,7 @@
 #include "internode/text/limits.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace internode {
 
@@ -12,6 +13,7 @@ namespace {
 
 /// The line that begins at `begin`, without its end; empty when it is too long to be shown.
 std::string shown_line(std::string_view text, std::size_t begin) {
+    assert(begin <= text.size());
     const std::string_view cut = text.substr(begin, max_shown_line_bytes + 1);
     std::string_view line = cut.substr(0, cut.find('\n'));
     if (line.size() > max_shown_line_bytes) return {};
@@ -20,6 +22,7 @@ std::string shown_line(std::string_view text, std::size_t begin) {
 }
 
 Diagnostic make_diagnostic(TextPlace place, std::string_view source, std::string message, std::string line) {
+    assert(place.line >= 1 && place.column >= 1);
     Diagnostic diagnostic;
     diagnostic.source = source;
     diagnostic.line = place.line;
@@ -32,6 +35,7 @@ Diagnostic make_diagnostic(TextPlace place, std::string_view source, std::string
 } // namespace
 
 TextPlace place_of(std::string_view text, std::size_t offset, std::size_t known_offset, TextPlace known) {
+    assert(known_offset <= offset && known_offset <= text.size());
     for (const char c : text.substr(0, offset).substr(known_offset)) {
         if (c == '\n') {
             ++known.line;

@@ -3,6 +3,7 @@
 #include "internode/text/utf8.h"
 
 #include <array>
+#include <cassert>
 #include <cstdint>
 
 namespace internode {
@@ -27,6 +28,7 @@ bool is_scalar(char32_t value) {
 } // namespace
 
 CodePoint code_point_at(std::string_view text, std::size_t place) {
+    assert(place < text.size());
     const auto byte_at = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char lead = byte_at(place);
     const CodePoint damaged{lead, 1, false};
@@ -50,6 +52,7 @@ std::size_t count_code_points(std::string_view text) {
 }
 
 void append_utf8(std::string& text, char32_t value) {
+    assert(is_scalar(value));
     const auto append = [&text](char32_t byte) { text += static_cast<char>(static_cast<unsigned char>(byte)); };
     if (value < 0x80) {
         append(value);

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
+//
+// Words are numbered as they arrive, breadth first; a vertex is persistent when it is on a cycle or behind one, which
+// the strong components of the graph tell. Words of length m grow from the persistent pairs, not from all n^m words.
 
 #include "internode/word/factors.h"
 
 #include "internode/word/graph.h"
 
 #include <algorithm>
+#include <cassert>
 #include <string>
 #include <unordered_map>
 
@@ -24,6 +28,7 @@ public:
             if (words_.size() >= limit_) throw TooManyWords("more than " + std::to_string(limit_) + " words");
             words_.push_back(word);
         }
+        assert(place->second < words_.size());
         return place->second;
     }
     [[nodiscard]] const std::vector<Word>& words() const { return words_; }
@@ -107,6 +112,7 @@ FactorGraph factor_graph(const Morphism& morphism, const std::vector<Word>& star
     }
     graph.words = index.take();
     graph.persistent = recurrent(graph.arcs);
+    assert(graph.arcs.size() == graph.words.size() && graph.persistent.size() == graph.words.size());
     return graph;
 }
 
@@ -121,6 +127,7 @@ std::vector<Word> persistent_words(const Morphism& morphism, std::size_t m, std:
         for (const Word& window : windows(word, m, Ends::Open)) start.add(window);
     }
     std::vector<Word> words = factor_graph(morphism, start.take(), limit).words;
+    assert(std::ranges::all_of(words, [m](const Word& word) { return word.size() == m; }));
     std::ranges::sort(words);
     return words;
 }
@@ -137,6 +144,7 @@ std::vector<Word> all_words(std::size_t n, std::size_t m, std::size_t limit) {
     for (std::size_t rank = 0; rank < count; ++rank) {
         std::size_t rest = rank;
         for (std::size_t i = m; i-- > 0; rest /= n) words[rank][i] = to_symbol(rest % n);
+        assert(rest == 0);
     }
     return words;
 }

@@ -28,7 +28,7 @@ namespace internode {
 struct FactorGraph {
     std::vector<Word> words;                      ///< vertices, breadth first from the start words
     std::vector<std::vector<std::uint32_t>> arcs; ///< arcs[v] = vertices of the factors of σ(words[v]), by position
-    std::vector<bool> persistent;                 ///< per vertex
+    std::vector<bool> persistent;                 ///< whether each vertex occurs after arbitrarily many steps
 };
 
 /// More words than the caller allows.

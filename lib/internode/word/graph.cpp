@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
+//
+// Strong components by Tarjan's algorithm: the stack of open nodes holds a component as soon as its root is left. The
+// period is the greatest common divisor of what the arcs of a component add to distances from one of its nodes.
 
 #include "internode/word/graph.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 
 namespace internode {
@@ -49,6 +53,7 @@ private:
     }
 
     void follow(std::uint32_t node, std::uint32_t successor) {
+        assert(successor < graph_.size());
         if (order_[successor] == unseen)
             enter(successor);
         else if (result_.component[successor] == unseen)
@@ -58,11 +63,13 @@ private:
     void leave(std::uint32_t node) {
         calls_.pop_back();
         if (!calls_.empty()) low_[calls_.back().node] = std::min(low_[calls_.back().node], low_[node]);
+        assert(low_[node] <= order_[node]);
         if (low_[node] == order_[node]) close(node);
     }
 
     void close(std::uint32_t root) {
         const auto component = static_cast<std::uint32_t>(result_.members.size());
+        assert(!open_.empty() && component < graph_.size());
         const auto first = std::find(open_.rbegin(), open_.rend(), root).base() - 1;
         std::vector<std::uint32_t> members(first, open_.end());
         open_.erase(first, open_.end());
@@ -84,6 +91,7 @@ private:
 
 StrongComponents strong_components(const Graph& graph) {
     StrongComponents result = Tarjan(graph).take();
+    assert(std::ranges::find(result.component, unseen) == result.component.end());
     result.final.assign(result.members.size(), true);
     result.cyclic.assign(result.members.size(), false);
     for (std::uint32_t node = 0; node < graph.size(); ++node) {
@@ -99,7 +107,9 @@ StrongComponents strong_components(const Graph& graph) {
 
 std::size_t period(const Graph& graph, const StrongComponents& components, std::size_t component) {
     // Every arc u -> v of the component closes walks whose lengths differ by distance(u) + 1 - distance(v).
+    assert(components.component.size() == graph.size());
     const std::vector<std::uint32_t>& members = components.members.at(component);
+    assert(!members.empty());
     std::vector<std::size_t> distance(graph.size(), unseen);
     std::vector<std::uint32_t> queue{members.front()};
     distance[members.front()] = 0;
@@ -124,6 +134,7 @@ std::vector<bool> reachable(const Graph& graph, const std::vector<std::uint32_t>
     std::vector<bool> reached(graph.size(), false);
     std::vector<std::uint32_t> pending;
     const auto reach = [&](std::uint32_t node) {
+        assert(node < reached.size());
         if (reached[node]) return;
         reached[node] = true;
         pending.push_back(node);

@@ -15,10 +15,11 @@ namespace internode {
 using Graph = std::vector<std::vector<std::uint32_t>>;
 
 struct StrongComponents {
-    std::vector<std::uint32_t> component;            ///< of each node
-    std::vector<std::vector<std::uint32_t>> members; ///< of each component, ascending; successors come first
-    std::vector<bool> final;                         ///< no arc leaves the component
-    std::vector<bool> cyclic;                        ///< more than one node, or a loop
+    std::vector<std::uint32_t> component; ///< the component of each node
+    std::vector<std::vector<std::uint32_t>>
+        members;              ///< the nodes of each component, ascending; components that arcs lead to come first
+    std::vector<bool> final;  ///< whether no arc leaves the component
+    std::vector<bool> cyclic; ///< whether each component has more than one node, or a loop
 };
 
 /// Tarjan's algorithm, without recursion: linear in nodes and arcs.

@@ -3,6 +3,7 @@
 #include "internode/word/morphism.h"
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 
 namespace internode {
@@ -30,12 +31,14 @@ Word Morphism::operator()(WordView word) const {
         const WordView letters = image(symbol);
         result.insert(result.end(), letters.begin(), letters.end());
     }
+    assert(result.size() == size);
     return result;
 }
 
 Morphism power(const Morphism& morphism, int power) {
     if (power < 1) throw std::invalid_argument("the power of a morphism must be at least 1");
     std::vector<Word> images = morphism.images();
+    assert(images.size() == morphism.size());
     for (int step = 1; step < power; ++step)
         for (Word& image : images) image = morphism(image);
     return Morphism(std::move(images));
@@ -72,6 +75,7 @@ LetterCounts letter_counts(const Morphism& morphism, WordView word, std::uint64_
             total += image.size() * counts.symbols[i];
             for (const Symbol symbol : image) next[to_index(symbol)] += counts.symbols[i];
         }
+        assert(total >= counts.total);
         counts.saturated = total > cap;
         if (counts.saturated) break;
         if (next == counts.symbols) break; // a fixed point: every further step is the same

@@ -3,15 +3,18 @@
 #include "internode/word/symbol.h"
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 
 namespace internode {
 
 Symbol Alphabet::add(std::string_view name) {
+    assert(!name.empty());
     if (const auto known = find(name)) return *known;
     const Symbol symbol = to_symbol(names_.size());
     names_.emplace_back(name);
     symbols_.emplace(names_.back(), symbol);
+    assert(symbols_.size() == names_.size());
     return symbol;
 }
 

@@ -6,8 +6,9 @@
 
 #include "internode/curve/reverse/kept_points.h"
 #include "internode/curve/reverse/normal_equations.h"
-#include "tests/reference/random_curve.h"
-#include "tests/reference/systems.h"
+#include "tests/fixtures/interval_systems.h"
+#include "tests/fixtures/numbers.h"
+#include "tests/fixtures/random_curve.h"
 
 #include <cmath>
 #include <gmock/gmock.h>
@@ -15,28 +16,17 @@
 namespace internode {
 namespace {
 
-using reference::all_shapes;
-using reference::fibonacci;
-using reference::Random;
-using reference::random_curve;
-using reference::random_system;
-using reference::Shape;
-using reference::system_of;
-using reference::word_of;
 using ::testing::ElementsAre;
-
-std::vector<double> random_points(Random& random, std::size_t count) {
-    std::vector<double> points(count);
-    for (double& number : points) number = random.coordinate();
-    return points;
-}
-
-double largest_difference(std::span<const double> a, std::span<const double> b) {
-    if (a.size() != b.size()) return 1e300;
-    double most = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
-    return most;
-}
+using tests::all_shapes;
+using tests::fibonacci;
+using tests::largest_difference;
+using tests::Random;
+using tests::random_curve;
+using tests::random_numbers;
+using tests::random_system;
+using tests::Shape;
+using tests::system_of;
+using tests::word_of;
 
 TEST(LocalFilters, ReproduceEveryCoarsePolygonWithAnyWindow) {
     Random random(1);
@@ -91,8 +81,8 @@ TEST(GatherMatrix, MultipliesAndItsTransposeIsAdjoint) {
         const Curve curve = random_curve(random, random_system(random), 3, shape, 1 + random.below(5), 1);
         const Hierarchy hierarchy(curve.knots(), 1);
         const GatherMatrix matrix = hierarchy.matrix(0);
-        const std::vector<double> coarse = random_points(random, matrix.columns);
-        const std::vector<double> fine = random_points(random, matrix.rows.size());
+        const std::vector<double> coarse = random_numbers(random, matrix.columns);
+        const std::vector<double> fine = random_numbers(random, matrix.rows.size());
         const std::vector<double> forwards = product(matrix, coarse, 1);
         const std::vector<double> backwards = transposed_product(matrix, fine, 1);
         double left = 0;

@@ -3,17 +3,17 @@
 #include "internode/curve/reverse/possible_size.h"
 
 #include "internode/curve/refinement.h"
-#include "tests/reference/random_curve.h"
-#include "tests/reference/systems.h"
+#include "tests/fixtures/interval_systems.h"
+#include "tests/fixtures/random_curve.h"
 
 #include <gmock/gmock.h>
 
 namespace internode {
 namespace {
 
-using reference::fibonacci;
-using reference::system_of;
-using reference::word_of;
+using tests::fibonacci;
+using tests::system_of;
+using tests::word_of;
 
 /// The points of a curve with these knots after the levels, by refining the word.
 std::uint64_t refined(const IntervalSystem& system, const CoarseWord& coarse, const PossibleSize& size) {
@@ -24,7 +24,7 @@ std::uint64_t refined(const IntervalSystem& system, const CoarseWord& coarse, co
 }
 
 TEST(PossibleSize, AgreesWithTheRefinedWords) {
-    for (const auto& [name, text] : reference::sample_systems()) {
+    for (const auto& [name, text] : tests::sample_systems()) {
         const IntervalSystem system = system_of(text);
         Word letters;
         for (std::size_t i = 0; i < system.alphabet().size(); ++i) letters.push_back(to_symbol(i));

@@ -6,8 +6,11 @@
 #include "internode/curve/reverse/pyramid.h"
 
 #include "internode/curve/refinement.h"
-#include "tests/reference/random_curve.h"
-#include "tests/reference/systems.h"
+#include "internode/curve/reverse/reverse_step.h"
+#include "tests/fixtures/interval_systems.h"
+#include "tests/fixtures/numbers.h"
+#include "tests/fixtures/random_curve.h"
+#include "tests/fixtures/stride.h"
 
 #include <cmath>
 #include <gmock/gmock.h>
@@ -16,36 +19,20 @@
 namespace internode {
 namespace {
 
-using reference::curve_of;
-using reference::fibonacci;
-using reference::Random;
-using reference::random_curve;
-using reference::random_system;
-using reference::Shape;
-using reference::system_of;
-using reference::word_of;
 using ::testing::HasSubstr;
+using tests::curve_of;
+using tests::fibonacci;
+using tests::largest_difference;
+using tests::Random;
+using tests::random_curve;
+using tests::random_numbers;
+using tests::random_system;
+using tests::Shape;
+using tests::system_of;
+using tests::word_of;
 
-#ifdef INTERNODE_SANITIZED
-constexpr int repetitions = 1;
-constexpr int long_pyramid = 24;
-#else
-constexpr int repetitions = 12;
-constexpr int long_pyramid = 49;
-#endif
-
-double largest_difference(std::span<const double> a, std::span<const double> b) {
-    if (a.size() != b.size()) return 1e300;
-    double most = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
-    return most;
-}
-
-std::vector<double> random_points(Random& random, std::size_t count) {
-    std::vector<double> points(count);
-    for (double& number : points) number = random.coordinate();
-    return points;
-}
+const int repetitions = tests::times(12);
+const int long_pyramid = tests::in_full() ? 49 : 24;
 
 std::size_t fine_size(const Curve& coarse, int levels) {
     return static_cast<std::size_t>(refined_size(coarse, static_cast<std::uint64_t>(levels), 1'000'000).points);
@@ -77,7 +64,7 @@ TEST(Pyramid, GivesTheFinePolygonBackFromCoarsePointsAndDetails) {
                 for (const ReverseMethod method : {ReverseMethod::LeastSquares, ReverseMethod::Local}) {
                     const Curve coarse =
                         random_curve(random, random_system(random), degree, shape, 1 + random.below(9), 2);
-                    const std::vector<double> fine = random_points(random, 2 * fine_size(coarse, 3));
+                    const std::vector<double> fine = random_numbers(random, 2 * fine_size(coarse, 3));
                     const Analysis analysis = analyse(coarse.knots(), 3, 2, fine, {method, 4});
                     EXPECT_EQ(analysis.pyramid.coarse.size() + detail_count(analysis.pyramid), fine.size() / 2);
                     const std::vector<std::vector<double>> polygons = synthesise(analysis.pyramid);
@@ -95,7 +82,7 @@ TEST(Pyramid, KeepsItsDigitsOverManyLevelsOfSlowGrowth) {
             if (ends == Ends::Open) word = clamped(word, degree);
             const Knots knots = knots_of(system, degree, ends, word);
             const auto size = static_cast<std::size_t>(refined_size(knots, 2, long_pyramid, 1'000'000).points);
-            const std::vector<double> fine = random_points(random, 2 * size);
+            const std::vector<double> fine = random_numbers(random, 2 * size);
             const Analysis analysis = analyse(knots, long_pyramid, 2, fine);
             EXPECT_LT(largest_difference(synthesise(analysis.pyramid).back(), fine), 1e-12);
             EXPECT_LT(*std::ranges::max_element(analysis.gains), 10);
@@ -108,7 +95,7 @@ TEST(Pyramid, OfAClosedWordOfOneLetter) {
         for (int degree = 1; degree <= 12; ++degree) {
             const IntervalSystem system = system_of(rules);
             const Knots knots = knots_of(system, degree, Ends::Circular, Word{to_symbol(0)});
-            const std::vector<double> fine = random_points(random, refined_size(knots, 1, 4, 1000).points);
+            const std::vector<double> fine = random_numbers(random, refined_size(knots, 1, 4, 1000).points);
             const Analysis analysis = analyse(knots, 4, 1, fine);
             EXPECT_LT(largest_difference(synthesise(analysis.pyramid).back(), fine), 1e-12);
             EXPECT_EQ(analysis.pyramid.coarse.size(), 1u);
@@ -119,7 +106,7 @@ TEST(Pyramid, WhereNothingSplitsIsTheSamePolygonWithoutDetails) {
     const IntervalSystem system = system_of("A->DD, B->A, C->B, D->C");
     Random random(5);
     const Knots knots = knots_of(system, 3, Ends::Circular, word_of(system, "DDDDD"));
-    const std::vector<double> fine = random_points(random, 10);
+    const std::vector<double> fine = random_numbers(random, 10);
     const Analysis analysis = analyse(knots, 3, 2, fine);
     for (const PyramidLevel& level : analysis.pyramid.levels) EXPECT_EQ(level.inserted, 0u);
     EXPECT_EQ(analysis.pyramid.coarse.points(), fine);
@@ -132,7 +119,8 @@ TEST(Pyramid, ReportsTheNoiseGainOfUnclampedEnds) {
     const Word domain = word_of(system, "ABAABABA");
     const auto gain = [&](const Word& word, int degree) {
         const Knots knots = knots_of(system, degree, Ends::Open, word);
-        const Analysis analysis = analyse(knots, 5, 1, random_points(random, refined_size(knots, 1, 5, 100000).points));
+        const Analysis analysis =
+            analyse(knots, 5, 1, random_numbers(random, refined_size(knots, 1, 5, 100000).points));
         return analysis.gains.front();
     };
     Word open = word_of(system, "ABABA");
@@ -145,7 +133,7 @@ TEST(Pyramid, ReportsTheNoiseGainOfUnclampedEnds) {
 TEST(Pyramid, NoiseGainDoesNotDependOnWhereTheOriginIs) {
     const Knots knots = knots_of(fibonacci(), 3, Ends::Circular, word_of(fibonacci(), "ABAAB"));
     Random random(7);
-    std::vector<double> fine = random_points(random, 2 * refined_size(knots, 2, 3, 1000).points);
+    std::vector<double> fine = random_numbers(random, 2 * refined_size(knots, 2, 3, 1000).points);
     const std::vector<double> gains = analyse(knots, 3, 2, fine).gains;
     for (double& number : fine) number += 1024;
     EXPECT_LT(largest_difference(analyse(knots, 3, 2, fine).gains, gains), 1e-9);
@@ -157,7 +145,7 @@ TEST(Pyramid, LeastSquaresDetailsLeftOutCostAtMostTheirLength) {
     Random random(8);
     for (const int degree : {1, 2, 3, 5}) {
         const Curve coarse = random_curve(random, fibonacci(), degree, Shape::Closed, 8, 2);
-        const std::vector<double> fine = random_points(random, 2 * fine_size(coarse, 1));
+        const std::vector<double> fine = random_numbers(random, 2 * fine_size(coarse, 1));
         const Pyramid whole = analyse(coarse.knots(), 1, 2, fine).pyramid;
         const Pyramid kept = with_longest(whole, 3);
         double left_out = 0;
@@ -172,7 +160,7 @@ TEST(Pyramid, LeastSquaresDetailsLeftOutCostAtMostTheirLength) {
 TEST(Pyramid, ThresholdsKeepLongDetailsAndCountsTheLongest) {
     Random random(9);
     const Curve coarse = random_curve(random, fibonacci(), 3, Shape::Clamped, 8, 2);
-    const std::vector<double> fine = random_points(random, 2 * fine_size(coarse, 3));
+    const std::vector<double> fine = random_numbers(random, 2 * fine_size(coarse, 3));
     const Pyramid whole = analyse(coarse.knots(), 3, 2, fine).pyramid;
     const Pyramid long_ones = thresholded(whole, 0.5);
     const std::size_t count = detail_count(long_ones);
@@ -191,7 +179,7 @@ TEST(Pyramid, ThresholdsKeepLongDetailsAndCountsTheLongest) {
 TEST(Pyramid, WithoutDetailsIsTheRefinedCoarsePolygon) {
     Random random(10);
     const Curve coarse = random_curve(random, fibonacci(), 3, Shape::Closed, 8, 2);
-    const std::vector<double> fine = random_points(random, 2 * fine_size(coarse, 3));
+    const std::vector<double> fine = random_numbers(random, 2 * fine_size(coarse, 3));
     const Analysis analysis = analyse(coarse.knots(), 3, 2, fine);
     const std::vector<double> smooth = synthesise(with_longest(analysis.pyramid, 0)).back();
     EXPECT_LT(largest_difference(smooth, refine(analysis.pyramid.coarse, 3).points()), 1e-13);

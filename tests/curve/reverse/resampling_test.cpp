@@ -52,6 +52,23 @@ TEST(Resampling, CutsFromTheEnd) {
     EXPECT_THROW((void)cut(square, 2, 6), std::invalid_argument);
 }
 
+TEST(Resampling, FitsAsItIsAskedAndSaysWhatWasDone) {
+    const FittedPolygon same = fitted(square, 2, Ends::Circular, Fit::Cut, square.size() / 2);
+    EXPECT_EQ(same.points, square);
+    EXPECT_EQ(same.fitting.fit, Fit::AsMeasured);
+    const FittedPolygon fewer = fitted(square, 2, Ends::Circular, Fit::Cut, 2);
+    EXPECT_EQ(fewer.points, cut(square, 2, 2));
+    EXPECT_EQ(fewer.fitting.fit, Fit::Cut);
+    EXPECT_EQ(fewer.fitting.measured, square.size() / 2);
+    EXPECT_EQ(fewer.fitting.points, 2U);
+    const FittedPolygon more = fitted(square, 2, Ends::Circular, Fit::Resampled, 9);
+    EXPECT_EQ(more.points, resampled(square, 2, Ends::Circular, 9).points);
+    EXPECT_EQ(more.fitting.fit, Fit::Resampled);
+    EXPECT_EQ(fitted(std::vector<double>{1, 2, 4}, 1, Ends::Open, Fit::Resampled, 5).fitting.spacing, Spacing::Index);
+    EXPECT_THROW((void)fitted(square, 2, Ends::Open, Fit::Cut, 99), std::invalid_argument);
+    EXPECT_THROW((void)fitted({}, 2, Ends::Open, Fit::Cut, 1), std::invalid_argument);
+}
+
 TEST(Resampling, RefusesWhatIsNoPolygon) {
     EXPECT_THROW((void)resampled({}, 2, Ends::Open, 3), std::invalid_argument);
     EXPECT_THROW((void)resampled(square, 3, Ends::Open, 3), std::invalid_argument);

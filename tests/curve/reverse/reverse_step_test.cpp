@@ -6,9 +6,11 @@
 
 #include "internode/curve/refinement.h"
 #include "internode/stencil/step_matrix.h"
-#include "tests/reference/random_curve.h"
-#include "tests/reference/small_grammars.h"
-#include "tests/reference/systems.h"
+#include "tests/fixtures/interval_systems.h"
+#include "tests/fixtures/numbers.h"
+#include "tests/fixtures/random_curve.h"
+#include "tests/fixtures/small_grammars.h"
+#include "tests/fixtures/stride.h"
 
 #include <cmath>
 #include <functional>
@@ -17,16 +19,14 @@
 namespace internode {
 namespace {
 
-using reference::Random;
-using reference::Shape;
-using reference::system_of;
-using reference::word_of;
+using tests::largest_difference;
+using tests::Random;
+using tests::random_numbers;
+using tests::Shape;
+using tests::system_of;
+using tests::word_of;
 
-#ifdef INTERNODE_SANITIZED
-constexpr std::size_t stride = 40;
-#else
-constexpr std::size_t stride = 1;
-#endif
+const std::size_t stride = tests::stride();
 
 Knots knots_of(const IntervalSystem& system, KnotsData data) {
     CheckedKnots checked = make_knots(system, std::move(data));
@@ -40,25 +40,13 @@ double largest(std::span<const double> numbers) {
     return most;
 }
 
-double largest_difference(std::span<const double> a, std::span<const double> b) {
-    if (a.size() != b.size()) return 1e300;
-    double most = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
-    return most;
-}
-
-std::vector<double> random_points(Random& random, std::size_t count) {
-    std::vector<double> points(count);
-    for (double& number : points) number = random.coordinate();
-    return points;
-}
-
 /// Every valid grammar of at most 2 symbols and rules of at most 3 letters, with every degree, closed and clamped words
 /// of a few lengths; each by both methods.
 void for_small_steps(const std::function<void(const Hierarchy&, const ReverseOptions&, Random&)>& check) {
     Random random(7);
     std::size_t count = 0;
-    for (const IntervalGrammar& grammar : reference::small_grammars(2, 3)) {
+    tests::Compared compared;
+    for (const IntervalGrammar& grammar : tests::small_grammars(2, 3)) {
         const Verdict verdict = validate(grammar);
         if (!verdict.system || count++ % stride != 0) continue;
         for (int degree = 1; degree <= 5; ++degree)
@@ -69,7 +57,7 @@ void for_small_steps(const std::function<void(const Hierarchy&, const ReverseOpt
                     if (ends == Ends::Open) word = clamped(word, degree);
                     const Hierarchy hierarchy(knots_of(*verdict.system, {degree, ends, word}), 2);
                     for (const ReverseMethod method : {ReverseMethod::LeastSquares, ReverseMethod::Local})
-                        check(hierarchy, {method, 5}, random);
+                        check(hierarchy, {method, 5}, random), ++compared;
                 }
     }
 }
@@ -88,7 +76,7 @@ TEST(Hierarchy, HasTheMatricesOfItsSteps) {
     for_small_steps([](const Hierarchy& hierarchy, const ReverseOptions& options, Random& random) {
         if (options.method == ReverseMethod::Local) return;
         const Knots& knots = hierarchy.coarse();
-        const std::vector<double> points = random_points(random, knots.size());
+        const std::vector<double> points = random_numbers(random, knots.size());
         const CheckedCurve curve = make_curve(knots, 1, points);
         const Curve fine = refine(*curve.curve, 2);
         const std::vector<double> middle = product(hierarchy.matrix(0), points, 1);
@@ -101,7 +89,7 @@ TEST(ReverseStep, UndoesRefinement) {
     for_small_steps([](const Hierarchy& hierarchy, const ReverseOptions& options, Random& random) {
         for (int level = 0; level < 2; ++level) {
             const ReverseStep step(hierarchy, level, options);
-            const std::vector<double> coarse = random_points(random, 2 * step.coarse_size());
+            const std::vector<double> coarse = random_numbers(random, 2 * step.coarse_size());
             const std::vector<double> fine = product(hierarchy.matrix(level), coarse, 2);
             EXPECT_LT(largest_difference(step.coarse(fine, 2), coarse), 1e-12) << name_of(hierarchy, options);
             EXPECT_LT(largest(step.details(fine, coarse, 2).vectors), 1e-12) << name_of(hierarchy, options);
@@ -113,7 +101,7 @@ TEST(ReverseStep, GivesTheFinePolygonBack) {
     for_small_steps([](const Hierarchy& hierarchy, const ReverseOptions& options, Random& random) {
         for (int level = 0; level < 2; ++level) {
             const ReverseStep step(hierarchy, level, options);
-            const std::vector<double> fine = random_points(random, 2 * step.fine_size());
+            const std::vector<double> fine = random_numbers(random, 2 * step.fine_size());
             const std::vector<double> coarse = step.coarse(fine, 2);
             const Details details = step.details(fine, coarse, 2);
             EXPECT_LT(largest_difference(step.fine(coarse, details, 2), fine), 1e-12) << name_of(hierarchy, options);

@@ -2,6 +2,7 @@
 
 #include "internode/grammar/intervals/print.h"
 
+#include "internode/algebra/fraction.h"
 #include "internode/grammar/bundled.h"
 #include "internode/grammar/intervals/parse.h"
 
@@ -32,8 +33,7 @@ public:
             grammar.axiom = Axiom{word(n, 1 + below(20), true), below(2) == 0 ? Ends::Open : Ends::Circular};
         for (std::size_t i = n; i-- > 0;) {
             if (below(3) != 0) continue;
-            Rational length(1 + below(1000), 1 + below(1000));
-            length.canonicalize();
+            const Rational length = fraction(1 + below(1000), 1 + below(1000));
             grammar.lengths.push_back({to_symbol(i), length});
         }
         return grammar;

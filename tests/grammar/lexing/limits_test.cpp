@@ -7,11 +7,14 @@
 
 #include "internode/grammar/intervals/parse.h"
 #include "internode/grammar/intervals/print.h"
-#include "tests/reference/small_stack.h"
+#include "tests/fixtures/small_stack.h"
+#include "tests/fixtures/texts.h"
 
 #include <gmock/gmock.h>
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace internode {
 
@@ -20,13 +23,7 @@ namespace {
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
-
-std::string repeated(std::string_view piece, std::size_t count) {
-    std::string text;
-    text.reserve(piece.size() * count);
-    for (std::size_t i = 0; i < count; ++i) text += piece;
-    return text;
-}
+using tests::repeated;
 
 std::string first_error(std::string_view text) {
     const ParsedGrammar parsed = parse_grammar(text, "t");
@@ -60,6 +57,21 @@ TEST(Limits, OfTheLettersOfARule) {
     EXPECT_EQ(first_error("L -> (L^1000000)^1000000"), "this power makes a word of more than 1000000 letters");
     EXPECT_EQ(first_error("L -> L^" + std::string(100'000, '9')),
               "this power makes a word of more than 1000000 letters");
+}
+
+TEST(Limits, OfThePowersOfUnknownSymbols) {
+    // A symbol without a rule makes no letters, but would have made some.
+    const auto refuses_power = [](std::string_view text) {
+        const ParsedGrammar parsed = parse_grammar(text, "t");
+        return std::ranges::any_of(parsed.errors, [](const Diagnostic& error) {
+            return error.message == "this power makes a word of more than 1000000 letters";
+        });
+    };
+    EXPECT_FALSE(refuses_power("L -> X^1000000"));
+    EXPECT_TRUE(refuses_power("L -> X^1000001"));
+    EXPECT_TRUE(refuses_power("L -> L X^1000001 L"));
+    EXPECT_TRUE(refuses_power("L -> (X Y)^1000001 L"));
+    EXPECT_TRUE(refuses_power("L -> L X^" + std::string(100, '9')));
 }
 
 TEST(Limits, OfTheLettersOfAllWords) {
@@ -106,7 +118,7 @@ TEST(Limits, OfErrorsKept) {
 }
 
 TEST(Limits, ADeepWordIsRefusedWithoutDepth) {
-    reference::run_on_stack(std::size_t{8} << 20, [] {
+    tests::run_on_stack(std::size_t{8} << 20, [] {
         const std::string deep(1'000'000, '(');
         EXPECT_EQ(first_error("L -> " + deep), "`(` is never closed");
         EXPECT_EQ(first_error("L -> " + deep + "L" + std::string(1'000'000, ')')), "parentheses inside parentheses");

@@ -4,6 +4,7 @@
 
 #include "internode/grammar/points/parse_points.h"
 
+#include "internode/grammar/lexing/grammar_kind.h"
 #include "internode/grammar/points/print_points.h"
 #include "tests/fixtures/source_folder.h"
 
@@ -199,8 +200,10 @@ TEST(ParsePoints, PlacesPointIntoTheText) {
 TEST(ParsePoints, TheGrammarsOfTheDocumentationAreRead) {
     std::ifstream page(tests::in_source_folder("docs/language.md"));
     std::vector<std::string> texts(1);
+    bool in_fence = false;
     for (std::string line; std::getline(page, line);) {
-        const bool is_code = line.starts_with("    ");
+        if (line.starts_with("```")) in_fence = !in_fence; // examples of errors stand between fences
+        const bool is_code = !in_fence && line.starts_with("    ");
         if (is_code)
             texts.back() += line.substr(4) + '\n';
         else if (!texts.back().empty())

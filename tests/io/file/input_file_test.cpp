@@ -2,7 +2,7 @@
 
 #include "internode/io/file/input_file.h"
 
-#include "tests/io/temporary_folder.h"
+#include "tests/fixtures/temporary_folder.h"
 
 #include <atomic>
 #include <string>
@@ -64,7 +64,7 @@ bool stop_at_third_question() {
 }
 
 TEST(InputFile, ReadsAFileWhole) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     put(folder / "a", "");
     EXPECT_EQ(read_input(folder / "a").text, "");
     const std::string large(3'000'001, 'x');
@@ -97,7 +97,7 @@ TEST(InputFile, ReadsStandardInput) {
 }
 
 TEST(InputFile, SaysWhatIsMissing) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     put(folder / "file", "x");
     for (const std::string& path : {folder / "none", folder / "none/none", folder / "file/none", std::string(),
                                     std::string(5000, 'n'), folder / std::string("file\0x", 6)})
@@ -105,7 +105,7 @@ TEST(InputFile, SaysWhatIsMissing) {
 }
 
 TEST(InputFile, RefusesFoldersAndSockets) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     EXPECT_EQ(kind(read_input(folder.path().string())), Kind::Directory);
     EXPECT_EQ(kind(read_input("/")), Kind::Directory);
     sockaddr_un address{};
@@ -120,7 +120,7 @@ TEST(InputFile, RefusesFoldersAndSockets) {
 }
 
 TEST(InputFile, AcceptsTheLimitAndRefusesOneMore) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     put(folder / "a", "12345");
     EXPECT_EQ(read_input(folder / "a", {.max_bytes = 5}).text, "12345");
     const InputText input = read_input(folder / "a", {.max_bytes = 4});
@@ -130,7 +130,7 @@ TEST(InputFile, AcceptsTheLimitAndRefusesOneMore) {
 }
 
 TEST(InputFile, RefusesAHugeSparseFileUnread) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     put(folder / "sparse", "");
     ASSERT_EQ(::truncate((folder / "sparse").c_str(), off_t{5} << 30), 0);
     questions = 0;
@@ -145,7 +145,7 @@ TEST(InputFile, EndsAtTheFirstChunkOfEndlessZeros) {
 }
 
 TEST(InputFile, SaysWhereAByteZeroStands) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     put(folder / "a", std::string_view("x,y\n\xC3\xA9,\0z", 9));
     const InputText input = read_input(folder / "a");
     EXPECT_EQ(kind(input), Kind::NotText);
@@ -154,7 +154,7 @@ TEST(InputFile, SaysWhereAByteZeroStands) {
 }
 
 TEST(InputFile, StopsWaitingForASilentFifo) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     ASSERT_EQ(::mkfifo((folder / "fifo").c_str(), 0600), 0);
     questions = 0;
     EXPECT_EQ(kind(read_input(folder / "fifo", {.should_stop = stop_at_third_question})), Kind::Interrupted);
@@ -165,7 +165,7 @@ TEST(InputFile, StopsWaitingForASilentFifo) {
 }
 
 TEST(InputFile, ReadsAFifoToItsEnd) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     ASSERT_EQ(::mkfifo((folder / "fifo").c_str(), 0600), 0);
     std::thread writer([&] {
         const int fd = ::open((folder / "fifo").c_str(), O_WRONLY | O_CLOEXEC);
@@ -178,7 +178,7 @@ TEST(InputFile, ReadsAFifoToItsEnd) {
 }
 
 TEST(InputFile, LeavesNoDescriptorBehindAndNoneBelowThree) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     put(folder / "a", "x");
     const int before = ::dup(0);
     ::close(before);

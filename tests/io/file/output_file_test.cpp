@@ -3,7 +3,8 @@
 #include "internode/io/file/output_file.h"
 
 #include "internode/io/file/input_file.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/fixtures/stride.h"
+#include "tests/fixtures/temporary_folder.h"
 
 #include <atomic>
 #include <csignal>
@@ -26,11 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using Kind = FileError::Kind;
 
-#ifdef INTERNODE_SANITIZED
-constexpr int kills = 60;
-#else
-constexpr int kills = 300;
-#endif
+const int kills = tests::times(300, 60);
 
 std::string content(const std::string& path) {
     const InputText input = read_input(path);
@@ -47,7 +44,7 @@ std::optional<Kind> kind(const std::optional<FileError>& error) {
     return error ? std::optional(error->kind) : std::nullopt;
 }
 
-std::size_t entries(const TemporaryFolder& folder) {
+std::size_t entries(const tests::TemporaryFolder& folder) {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()));
 }
 
@@ -78,7 +75,7 @@ bool stop_now() {
 }
 
 TEST(OutputFile, AppearsWholeAndOnlyOnCommit) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     const std::string large(1'000'003, 'x');
     OutputFile file(folder / "a");
     ASSERT_FALSE(file.error());
@@ -95,7 +92,7 @@ TEST(OutputFile, AppearsWholeAndOnlyOnCommit) {
 }
 
 TEST(OutputFile, LeavesTheOldFileWithoutCommit) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     put(folder / "a", "old");
     {
         OutputFile file(folder / "a");
@@ -107,7 +104,7 @@ TEST(OutputFile, LeavesTheOldFileWithoutCommit) {
 }
 
 TEST(OutputFile, MayBeEmptyAndMayBeMoved) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     put(folder / "a", "");
     EXPECT_EQ(content(folder / "a"), "");
     OutputFile first(folder / "b");
@@ -121,7 +118,7 @@ TEST(OutputFile, MayBeEmptyAndMayBeMoved) {
 }
 
 TEST(OutputFile, NamesItsTemporaryFileAfterTheTarget) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     const OutputFile file(folder / "curve.csv");
     const std::string name = fs::path(file.temporary_path()).filename();
     EXPECT_EQ(name.rfind(".curve.csv.internode-", 0), 0U);
@@ -132,7 +129,7 @@ TEST(OutputFile, NamesItsTemporaryFileAfterTheTarget) {
 }
 
 TEST(OutputFile, KeepsTheModeOfTheTarget) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     for (const mode_t bits : {0600, 0640, 0755, 0666, 0602}) {
         put(folder / "a", "old");
         ASSERT_EQ(::chmod((folder / "a").c_str(), bits), 0);
@@ -143,7 +140,7 @@ TEST(OutputFile, KeepsTheModeOfTheTarget) {
 }
 
 TEST(OutputFile, GivesANewFileTheModeThatTheUmaskLeaves) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     const mode_t before = ::umask(027);
     put(folder / "a", "x");
     ::umask(before);
@@ -151,7 +148,7 @@ TEST(OutputFile, GivesANewFileTheModeThatTheUmaskLeaves) {
 }
 
 TEST(OutputFile, FollowsSymbolicLinks) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     fs::create_directory(folder / "d");
     put(folder / "d/target", "old");
     fs::create_symlink("d/target", folder / "link");
@@ -177,7 +174,7 @@ TEST(OutputFile, WritesIntoDevicesAndNeverReplacesThem) {
         EXPECT_FALSE(file.commit());
         EXPECT_TRUE(S_ISCHR(mode(device)));
     }
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     fs::create_symlink("/dev/null", folder / "null");
     put(folder / "null", "x");
     EXPECT_TRUE(S_ISLNK(mode(folder / "null")));
@@ -185,7 +182,7 @@ TEST(OutputFile, WritesIntoDevicesAndNeverReplacesThem) {
 }
 
 TEST(OutputFile, WritesIntoAFifoAndNeverReplacesIt) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     ASSERT_EQ(::mkfifo((folder / "fifo").c_str(), 0600), 0);
     const std::string text(500'000, 'x');
     std::string read;
@@ -200,7 +197,7 @@ TEST(OutputFile, WritesIntoAFifoAndNeverReplacesIt) {
 }
 
 TEST(OutputFile, StopsWaitingForTheReaderOfAFifo) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     ASSERT_EQ(::mkfifo((folder / "fifo").c_str(), 0600), 0);
     questions = 0;
     EXPECT_EQ(kind(OutputFile(folder / "fifo", stop_at_third_question).error()), Kind::Interrupted);
@@ -214,7 +211,7 @@ TEST(OutputFile, StopsWaitingForTheReaderOfAFifo) {
 }
 
 TEST(OutputFile, WritesStandardOutputThroughEveryNameOfIt) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     for (const std::string name : {"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"}) {
         const std::string path = folder / "out";
         EXPECT_EQ(in_child([&] {
@@ -247,7 +244,7 @@ TEST(OutputFile, NoticesAClosedStandardOutput) {
 }
 
 TEST(OutputFile, DoesNotBecomeStandardOutputItself) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     EXPECT_EQ(in_child([&] {
                   ::close(STDIN_FILENO);
                   ::close(STDOUT_FILENO);
@@ -262,7 +259,7 @@ TEST(OutputFile, DoesNotBecomeStandardOutputItself) {
 }
 
 TEST(OutputFile, KnowsAnUnwritableTargetBeforeAnythingIsComputed) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     put(folder / "file", "x");
     EXPECT_EQ(kind(OutputFile(folder / "none/a").error()), Kind::Missing);
     EXPECT_EQ(kind(OutputFile(folder / "file/a").error()), Kind::Unwritable);
@@ -275,7 +272,7 @@ TEST(OutputFile, KnowsAnUnwritableTargetBeforeAnythingIsComputed) {
 }
 
 TEST(OutputFile, RespectsPermissionsOfOthers) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     ASSERT_EQ(::chmod(folder.path().c_str(), 0777), 0);
     put(folder / "file", "old");
     ASSERT_EQ(::chmod((folder / "file").c_str(), 0444), 0);
@@ -319,7 +316,7 @@ TEST(OutputFile, SpeaksOfABrokenPipeByItsName) {
 }
 
 TEST(OutputFile, NoticesAFileSizeLimitAtEveryByte) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     put(folder / "a", "old");
     const std::string text = "x,y\n0,0\n0.25,1\n0.5,0.75\n";
     for (std::size_t limit = 0; limit <= text.size(); ++limit) {
@@ -340,7 +337,7 @@ TEST(OutputFile, NoticesAFileSizeLimitAtEveryByte) {
 }
 
 TEST(OutputFile, StopsWhenAskedAndLeavesTheOldFile) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     put(folder / "a", "old");
     OutputFile small(folder / "a", stop_now);
     EXPECT_TRUE(small.write("x")) << "still in the buffer";
@@ -353,7 +350,7 @@ TEST(OutputFile, StopsWhenAskedAndLeavesTheOldFile) {
 }
 
 TEST(OutputFile, IsOldOrNewAfterAKillAtAnyMoment) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     const std::string old_text(100'000, 'o');
     const std::string new_text(150'000, 'n');
     put(folder / "a", old_text);
@@ -387,7 +384,7 @@ TEST(OutputFile, IsOldOrNewAfterAKillAtAnyMoment) {
 }
 
 TEST(OutputFile, LeavesNoDescriptorBehind) {
-    const TemporaryFolder folder;
+    const tests::TemporaryFolder folder;
     const int before = ::dup(0);
     ::close(before);
     put(folder / "a", "x");

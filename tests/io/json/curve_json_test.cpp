@@ -49,6 +49,38 @@ TEST(CurveJson, WritesADocument) {
 )");
 }
 
+TEST(CurveJson, PutsOriginAndKnotsBesideTheWord) {
+    const std::vector<double> coordinates{0, 1, 0.5, -2};
+    CurveDocument curve = small_curve(coordinates);
+    curve.origin = {5.5, {"11/2", "0"}};
+    curve.knots = {5.5, 6, 7};
+    StringSink sink;
+    ASSERT_TRUE(write_curve_json(sink, curve));
+    EXPECT_THAT(sink.text(), testing::HasSubstr("  \"origin\": {\"value\": 5.5, \"exact\": [\"11/2\", \"0\"]},\n"
+                                                "  \"knots\": [5.5, 6, 7],\n  \"points\""));
+    const InputPolygon back = read_polygon(sink.text(), "p").polygon.value();
+    EXPECT_EQ(back.origin.value(), (InputNumber{Rational("11/2"), 0}));
+    EXPECT_EQ(back.knots.value().size(), 3U);
+}
+
+TEST(CurveJson, WritesSeveralAsOneDocumentThatIsReadBack) {
+    const std::vector<double> coordinates{0, 1, 0.5, -2};
+    const std::vector<CurveDocument> curves(2, small_curve(coordinates));
+    StringSink sink;
+    ASSERT_TRUE(write_curves_json(sink, curves));
+    const ParsedPolygons back = read_polygons(sink.text(), "p");
+    ASSERT_EQ(back.polygons.size(), 2U);
+    EXPECT_EQ(back.polygons[1].points, coordinates);
+    EXPECT_GT(back.polygons[1].line, back.polygons[0].line);
+    const auto refusal = [](std::string_view text) { return to_string(read_polygons(text, "p").errors); };
+    const std::string head = R"({"format":"internode-curves")";
+    EXPECT_THAT(refusal(head + "}"), testing::HasSubstr("no `curves`"));
+    EXPECT_THAT(refusal(head + R"(,"curves":[]})"), testing::HasSubstr("no curve"));
+    EXPECT_THAT(refusal(head + R"(,"curves":3})"), testing::HasSubstr("must be an array"));
+    EXPECT_THAT(refusal(head + R"(,"curves":[{"points":[[0]]}],"color":1})"), testing::HasSubstr("no key `color`"));
+    EXPECT_THAT(refusal(head + R"(,"curves":[{"points":[[0]]},{}]})"), testing::HasSubstr("no `points`"));
+}
+
 TEST(CurveJson, PutsWeightsBesideThePoints) {
     const std::vector<double> coordinates{0, 1, 0.5, -2, 3, 0.25};
     CurveDocument curve = small_curve(coordinates);

@@ -2,8 +2,8 @@
 
 #include "internode/io/json/json_reader.h"
 
-#include "internode/io/limits.h"
-#include "tests/reference/small_stack.h"
+#include "internode/io/file/limits.h"
+#include "tests/fixtures/small_stack.h"
 
 #include <string>
 
@@ -101,7 +101,7 @@ TEST(JsonReader, TakesAsManyValuesAsAllowedAndRefusesOneMore) {
 }
 
 TEST(JsonReader, NeedsNoStackForDepth) {
-    reference::run_on_stack(std::size_t{8} << 20, [] {
+    tests::run_on_stack(std::size_t{8} << 20, [] {
         EXPECT_THAT(refusal(std::string(1'000'000, '[')).message, HasSubstr("200"));
         EXPECT_TRUE(read_json(std::string(200, '[') + std::string(200, ']'), "t").value);
     });

@@ -5,10 +5,13 @@
 #include "internode/io/json/pyramid_json.h"
 
 #include "internode/curve/refinement.h"
+#include "internode/input/settled_pyramid.h"
+#include "internode/report/json/pyramid_json.h"
 #include "internode/report/pyramid_report.h"
-#include "tests/reference/random_curve.h"
-#include "tests/reference/systems.h"
+#include "tests/fixtures/interval_systems.h"
+#include "tests/fixtures/random_curve.h"
 #include "tests/fixtures/source_folder.h"
+#include "tests/fixtures/stride.h"
 
 #include <fstream>
 #include <gmock/gmock.h>
@@ -17,17 +20,13 @@
 namespace internode {
 namespace {
 
-using reference::Random;
-using reference::random_curve;
-using reference::Shape;
-using reference::system_of;
 using ::testing::HasSubstr;
+using tests::Random;
+using tests::random_curve;
+using tests::Shape;
+using tests::system_of;
 
-#ifdef INTERNODE_SANITIZED
-constexpr std::size_t stride = 37;
-#else
-constexpr std::size_t stride = 1;
-#endif
+const std::size_t stride = tests::stride();
 
 std::string leaf() {
     std::ifstream file(tests::in_source_folder("data/pyramids/leaf.json"));
@@ -47,9 +46,9 @@ std::string refusal(const std::string& text) {
     const ParsedPyramid parsed = read_pyramid(text, "p.json");
     EXPECT_EQ(parsed.pyramid.has_value(), parsed.errors.empty());
     if (!parsed.pyramid) return to_string(parsed.errors);
-    const CheckedPyramid checked = checked_pyramid(*parsed.pyramid);
-    EXPECT_EQ(checked.pyramid.has_value(), checked.problems.empty());
-    return checked.pyramid ? "none" : checked.problems.front();
+    const Settled<Pyramid> settled = settle_pyramid(*parsed.pyramid);
+    EXPECT_EQ(settled.value.has_value(), settled.refusal.errors.empty());
+    return settled.value ? "none" : to_string(settled.refusal.errors);
 }
 
 TEST(PyramidJson, IsReadBackBitForBit) {
@@ -66,23 +65,23 @@ TEST(PyramidJson, IsReadBackBitForBit) {
                 const PyramidReport report = pyramid_report(std::move(analysis), std::move(kept), {}, "x.csv");
                 const ParsedPyramid parsed = read_pyramid(pyramid_json(report, {"0", "internode"}), "p.json");
                 ASSERT_TRUE(parsed.pyramid) << to_string(parsed.errors);
-                const CheckedPyramid checked = checked_pyramid(*parsed.pyramid);
-                ASSERT_TRUE(checked.pyramid) << checked.problems.front();
-                EXPECT_EQ(synthesise(*checked.pyramid), polygons);
+                const Settled<Pyramid> settled = settle_pyramid(*parsed.pyramid);
+                ASSERT_TRUE(settled.value) << to_string(settled.refusal.errors);
+                EXPECT_EQ(synthesise(*settled.value), polygons);
             }
 }
 
 TEST(PyramidJson, KeepsTheAxiomAndTheLengthsOfItsGrammar) {
     const IntervalSystem system = system_of("A->AA, B->BB, length B = 3/7, axiom (A A B)");
-    const Knots knots = *make_knots(system, {2, Ends::Circular, reference::word_of(system, "AAB")}).knots;
+    const Knots knots = *make_knots(system, {2, Ends::Circular, tests::word_of(system, "AAB")}).knots;
     const std::vector<double> fine{0, 1, 5, 2, 7, 3};
     Analysis analysis = analyse(knots, 1, 1, fine);
     Pyramid kept = analysis.pyramid;
     const PyramidReport report = pyramid_report(std::move(analysis), std::move(kept), {}, "x.csv");
     const ParsedPyramid parsed = read_pyramid(pyramid_json(report, {"0", "internode"}), "p.json");
-    const CheckedPyramid checked = checked_pyramid(*parsed.pyramid);
-    ASSERT_TRUE(checked.pyramid);
-    const IntervalSystem& again = checked.pyramid->coarse.system();
+    const Settled<Pyramid> settled = settle_pyramid(*parsed.pyramid);
+    ASSERT_TRUE(settled.value);
+    const IntervalSystem& again = settled.value->coarse.system();
     EXPECT_EQ(again.lengths()[1] / again.lengths()[0], system.lengths()[1] / system.lengths()[0]);
     EXPECT_EQ(again.grammar().axiom, system.grammar().axiom);
 }

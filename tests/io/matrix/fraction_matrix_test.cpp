@@ -3,7 +3,7 @@
 #include "internode/io/matrix/fraction_matrix.h"
 
 #include "internode/io/csv.h"
-#include "internode/io/limits.h"
+#include "internode/io/file/limits.h"
 
 #include <gmock/gmock.h>
 

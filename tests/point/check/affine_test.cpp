@@ -4,6 +4,7 @@
 
 #include "internode/grammar/bundled.h"
 #include "internode/grammar/points/parse_points.h"
+#include "tests/fixtures/point_systems.h"
 
 #include <gtest/gtest.h>
 
@@ -13,20 +14,11 @@
 namespace internode {
 namespace {
 
-PointGrammar grammar_of(std::string_view text) {
-    ParsedPointGrammar parsed = parse_point_grammar(text, "test");
-    for (const Diagnostic& error : parsed.errors) ADD_FAILURE() << text << ": " << error.message;
-    return std::move(parsed.grammar).value();
-}
-
-PointSystem system_of(PointGrammar grammar, const PointSettings& settings = {}) {
-    CheckedPointSystem checked = make_point_system(std::move(grammar), settings);
-    for (const PointProblem& problem : checked.problems) ADD_FAILURE() << problem.message;
-    return std::move(checked.system).value();
-}
+using tests::point_grammar;
+using tests::point_system;
 
 std::vector<AffineFinding> findings_of(std::string_view text, const PointSettings& settings = {}) {
-    return affine_findings(system_of(grammar_of(text), settings));
+    return affine_findings(point_system(point_grammar(text), settings));
 }
 
 /// Of a grammar with one point expression in its only rule.
@@ -120,10 +112,10 @@ TEST(Affine, EveryPartOfAGrammarIsLookedAt) {
                                       "P(v) -> Q(6 v)\n"
                                       "interpretation\n"
                                       "Q(v) -> L(v, 7 v)\n");
-    std::vector<std::string> sums;
+    std::vector<std::string> found;
     for (const AffineFinding& finding : findings)
-        if (finding.verdict == AffineVerdict::SumIsNotOne) sums.push_back(finding.sum);
-    EXPECT_EQ(sums, (std::vector<std::string>{"2", "3", "5", "6", "7"}));
+        if (finding.verdict == AffineVerdict::SumIsNotOne) found.push_back(finding.sum);
+    EXPECT_EQ(found, (std::vector<std::string>{"2", "3", "5", "6", "7"}));
     EXPECT_EQ(std::ranges::count(findings, AffineVerdict::MixesCoordinates, &AffineFinding::verdict), 2);
     EXPECT_EQ(findings.size(), 10U);
 }
@@ -135,7 +127,7 @@ TEST(Affine, BoundsWhatItReads) {
         text += "f" + std::to_string(i) + "(x) = " + before + "(" + before + "(x))\n";
     }
     text += "ring\ninput P(v, 1/2)\nP(u, s) < P(v, t) -> P(f11(s) u + (1 - f11(s)) v, s)";
-    const CheckedPointSystem checked = make_point_system(grammar_of(text));
+    const CheckedPointSystem checked = make_point_system(point_grammar(text));
     if (!checked.system) GTEST_SKIP() << "refused before it is checked";
     const auto findings = affine_findings(*checked.system);
     EXPECT_EQ(findings.back().verdict, AffineVerdict::NotDecided);
@@ -144,8 +136,8 @@ TEST(Affine, BoundsWhatItReads) {
 
 TEST(Affine, PlacesLeadBackToTheGrammar) {
     const PointGrammar grammar =
-        grammar_of("points\ninput # P(2 v) #\nP(u) < P(v) -> P(v) P(3 u)\ninterpretation\nP(v) -> Q(4 v)");
-    for (const AffineFinding& finding : affine_findings(system_of(grammar))) {
+        point_grammar("points\ninput # P(2 v) #\nP(u) < P(v) -> P(v) P(3 u)\ninterpretation\nP(v) -> Q(4 v)");
+    for (const AffineFinding& finding : affine_findings(point_system(grammar))) {
         EXPECT_EQ(expression_at(grammar, finding.where), expression_at(grammar, finding.where));
         EXPECT_EQ(formals_at(grammar, finding.where).size(), finding.where.part == GrammarPart::Rule ? 2U : 1U);
     }
@@ -156,7 +148,7 @@ TEST(Affine, PlacesLeadBackToTheGrammar) {
 std::vector<PointGrammar> bundled_point_grammars() {
     std::vector<PointGrammar> grammars;
     for (const BundledGrammar& bundled : bundled_grammars())
-        if (kind_of(bundled.text) == GrammarKind::Points) grammars.push_back(grammar_of(bundled.text));
+        if (kind_of(bundled.text) == GrammarKind::Points) grammars.push_back(point_grammar(bundled.text));
     return grammars;
 }
 
@@ -169,7 +161,7 @@ PointSettings settings_for(const PointGrammar& grammar) {
 TEST(Affine, EveryBundledGrammarIsSound) {
     const auto grammars = bundled_point_grammars();
     for (const PointGrammar& grammar : grammars)
-        for (const AffineFinding& finding : affine_findings(system_of(grammar, settings_for(grammar))))
+        for (const AffineFinding& finding : affine_findings(point_system(grammar, settings_for(grammar))))
             EXPECT_TRUE(is_sound(finding.verdict)) << grammar.name << " " << finding.sum << " " << finding.reason;
 }
 
@@ -185,11 +177,12 @@ TEST(Affine, FindsOneChangedCoefficientInEveryBundledGrammar) {
     const auto grammars = bundled_point_grammars();
     for (const PointGrammar& grammar : grammars) {
         const PointSettings settings = settings_for(grammar);
-        for (const AffineFinding& sound : affine_findings(system_of(grammar, settings))) {
+        for (const AffineFinding& sound : affine_findings(point_system(grammar, settings))) {
             // A literal point or a coordinate: wherever it is moved to is a place again, and meant.
             if (sound.verdict == AffineVerdict::MixesCoordinates) continue;
             for (std::size_t literal = 0; literal < expression_at(grammar, sound.where).numbers.size(); ++literal) {
-                const auto findings = affine_findings(system_of(with_error(grammar, sound.where, literal), settings));
+                const auto findings =
+                    affine_findings(point_system(with_error(grammar, sound.where, literal), settings));
                 const auto found = std::ranges::find(findings, sound.where, &AffineFinding::where);
                 ASSERT_NE(found, findings.end());
                 EXPECT_EQ(found->verdict, AffineVerdict::SumIsNotOne)
@@ -201,6 +194,19 @@ TEST(Affine, FindsOneChangedCoefficientInEveryBundledGrammar) {
         }
     }
     EXPECT_GE(planted, 3 * grammars.size());
+}
+
+TEST(Affine, WrongSumsAreThoseOfTheWordsThatTheSystemHas) {
+    const std::string text = "points\naxiom P(2 (1, 1)) Q\ninput P(1/2 v)\nt = 1/4\nP(v) -> P(0.99 v) P(v)\n"
+                             "P(u) < P(v) -> P(t u + (1 - t) v) P(3 t v + t u)\nQ -> Q\n";
+    const auto sums = [&](PointStart start) {
+        std::vector<std::string> found;
+        for (const AffineFinding& finding : wrong_sums(point_system(point_grammar(text), {.start = start})))
+            found.push_back(finding.sum);
+        return found;
+    };
+    EXPECT_EQ(sums(PointStart::Input), (std::vector<std::string>{"1/2", "99/100"}));
+    EXPECT_EQ(sums(PointStart::Axiom), std::vector<std::string>{"99/100"});
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "internode/point/check/coverage.h"
 
 #include "internode/grammar/points/parse_points.h"
+#include "tests/fixtures/point_systems.h"
 
 #include <gtest/gtest.h>
 
@@ -11,16 +12,10 @@
 namespace internode {
 namespace {
 
-PointSystem system_of(std::string_view text) {
-    ParsedPointGrammar parsed = parse_point_grammar(text, "test");
-    for (const Diagnostic& error : parsed.errors) ADD_FAILURE() << error.message;
-    CheckedPointSystem checked = make_point_system(std::move(parsed.grammar).value());
-    for (const PointProblem& problem : checked.problems) ADD_FAILURE() << problem.message;
-    return std::move(checked.system).value();
-}
+using tests::point_system;
 
 Coverage coverage_of(std::string_view text) {
-    return coverage(system_of(text));
+    return coverage(point_system(text));
 }
 
 const std::string chaikin = "P(u) < P(v) > P(p) -> P(1/4 u + 3/4 v) P(3/4 v + 1/4 p)\n";
@@ -46,7 +41,7 @@ TEST(Coverage, EndsOfOpenWordsMayStay) {
 
 TEST(Coverage, PointsInsideTheWordMayNot) {
     // The last point but one has no neighbour after the next: nothing is inserted there.
-    const PointSystem system = system_of("points\n" + four_point);
+    const PointSystem system = point_system("points\n" + four_point);
     const Coverage result = coverage(system);
     EXPECT_FALSE(result.ends_complete);
     EXPECT_TRUE(result.complete.empty());
@@ -95,8 +90,8 @@ TEST(Coverage, RulesThatEraseAreUsed) {
 }
 
 TEST(Coverage, TablesAreLookedAtOneByOne) {
-    const PointSystem system = system_of("points\ntable p\nP(u) < P(v) -> P(u) P(v)\n"
-                                         "table q\nP(u) < P(v) -> P(1/2 u + 1/2 v)\ncycle p q\n");
+    const PointSystem system = point_system("points\ntable p\nP(u) < P(v) -> P(u) P(v)\n"
+                                            "table q\nP(u) < P(v) -> P(1/2 u + 1/2 v)\ncycle p q\n");
     for (const StayingContext& context : coverage(system).staying) EXPECT_EQ(context.table, 0U);
 }
 

@@ -4,6 +4,7 @@
 
 #include "internode/grammar/bundled.h"
 #include "internode/grammar/points/parse_points.h"
+#include "tests/fixtures/point_systems.h"
 
 #include <gtest/gtest.h>
 
@@ -13,14 +14,10 @@
 namespace internode {
 namespace {
 
-PointGrammar grammar_of(std::string_view text) {
-    ParsedPointGrammar parsed = parse_point_grammar(text, "test");
-    for (const Diagnostic& error : parsed.errors) ADD_FAILURE() << error.message;
-    return std::move(parsed.grammar).value();
-}
+using tests::point_grammar;
 
 PointValidation validation_of(std::string_view text) {
-    return make_point_validation(grammar_of(text));
+    return make_point_validation(point_grammar(text));
 }
 
 PointValidation bundled(std::string_view name) {
@@ -62,7 +59,7 @@ TEST(PointValidation, LaneAndRiesenfeldOfEveryOrder) {
     for (int n = 0; n <= 6; ++n) {
         PointSettings settings;
         settings.constants["n"] = n;
-        const PointValidation validation = make_point_validation(grammar_of(text), settings);
+        const PointValidation validation = make_point_validation(point_grammar(text), settings);
         ASSERT_TRUE(validation.mask) << n;
         EXPECT_EQ(validation.mask->properties.generation_degree, static_cast<std::size_t>(n) + 1);
         ASSERT_TRUE(validation.compilation->twin) << n;

@@ -2,7 +2,7 @@
 
 #include "internode/point/compile/compile.h"
 
-#include "tests/reference/point_grammars.h"
+#include "tests/fixtures/point_systems.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 namespace internode {
 namespace {
 
-using reference::bundled_system;
-using reference::point_system;
+using tests::bundled_system;
+using tests::point_system;
 
 CompiledGrammar compiled(const PointSystem& system, StartWord start) {
     Compilation compilation = compile(system, start);
@@ -103,7 +103,7 @@ TEST(Compile, EqualsDerivationForTheGrammarsOfThePapers) {
 TEST(Compile, EqualsDerivationForRandomAffineGrammars) {
     std::mt19937 random(20030901);
     for (int round = 0; round < 60; ++round) {
-        const std::string text = reference::random_affine_grammar(round % 2 == 0, random);
+        const std::string text = tests::random_affine_grammar(round % 2 == 0, random);
         const PointSystem system = point_system(text);
         for (const std::size_t points : {1, 2, 3, 5, 7})
             for (const int cycles : {1, 2, 3}) expect_same_as_derivation(system, points, cycles, text);

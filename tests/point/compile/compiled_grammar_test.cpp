@@ -3,9 +3,11 @@
 #include "internode/grammar/bundled.h"
 #include "internode/point/compile/compile.h"
 #include "internode/point/interpreter.h"
+#include "tests/fixtures/stride.h"
 
-#include "tests/reference/point_grammars.h"
-#include "tests/reference/random_point_grammar.h"
+#include "internode/point/start_word.h"
+#include "tests/fixtures/point_systems.h"
+#include "tests/fixtures/random_point_grammar.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +17,7 @@
 namespace internode {
 namespace {
 
-using reference::point_system;
+using tests::point_system;
 
 /// Points without symmetries, all of about the size of 1.
 std::vector<double> polygon(std::size_t count, std::size_t dimension) {
@@ -84,7 +86,7 @@ TEST(CompiledGrammar, DerivesTheInterpretersWordsForAllBundledGrammars) {
 TEST(CompiledGrammar, DerivesTheInterpretersWordsForRandomAffineGrammars) {
     std::mt19937 random(2010);
     for (int round = 0; round < 100; ++round) {
-        const std::string text = reference::random_affine_grammar(round % 2 == 0, random);
+        const std::string text = tests::random_affine_grammar(round % 2 == 0, random);
         SCOPED_TRACE(text);
         const PointSystem system = point_system(text);
         for (const std::size_t n : {1, 2, 3, 4, 6})
@@ -94,14 +96,10 @@ TEST(CompiledGrammar, DerivesTheInterpretersWordsForRandomAffineGrammars) {
 
 TEST(CompiledGrammar, DerivesTheInterpretersWordsForRandomRules) {
     // Rules that erase, that read numbers, edges and ends, in tables: most do not compile, as most travel too far.
-#ifdef INTERNODE_SANITIZED
-    constexpr unsigned grammars = 100;
-#else
-    constexpr unsigned grammars = 1000;
-#endif
+    const auto grammars = static_cast<unsigned>(tests::times(1000, 50));
     unsigned compiled = 0;
     for (unsigned seed = 0; seed < grammars; ++seed) {
-        const std::string text = reference::RandomPointGrammar(seed, reference::Drawn::Local).text();
+        const std::string text = tests::RandomPointGrammar(seed, tests::Drawn::Local).text();
         SCOPED_TRACE(text);
         const PointSystem system = point_system(text);
         if (derives_the_same(system, axiom_word(system), {}, 3)) ++compiled;
@@ -151,7 +149,7 @@ TEST(CompiledGrammar, CountsItsModulesBeforeItMakesThem) {
 }
 
 TEST(CompiledGrammar, RefusesAnotherNumberOfPoints) {
-    const Compilation compilation = compile(reference::bundled_system("s0/13"), {4});
+    const Compilation compilation = compile(tests::bundled_system("s0/13"), {4});
     EXPECT_THROW((void)compilation.compiled->derive(polygon(5, 2), 2, 1), std::invalid_argument);
 }
 

@@ -2,15 +2,15 @@
 
 #include "internode/point/compile/exact_word.h"
 
-#include "tests/reference/point_grammars.h"
+#include "tests/fixtures/point_systems.h"
 
 #include <gtest/gtest.h>
 
 namespace internode {
 namespace {
 
-using reference::bundled_system;
-using reference::point_system;
+using tests::bundled_system;
+using tests::point_system;
 
 RationalMatrix matrix(const PointSystem& system, std::size_t points, std::uint64_t cycles = 1) {
     return std::get<RationalMatrix>(point_matrix(system, points, cycles));
@@ -149,6 +149,69 @@ TEST(ExactPieceStep, SettlesWhatIsCertainOnly) {
     EXPECT_FALSE(exact_piece_step(system, word, {true, true}, 0, 1, std::nullopt, budget).word);
     // Where the word ends, the rule does not fit for certain.
     EXPECT_EQ(exact_piece_step(system, word, {false, false}, 0, 1, std::nullopt, budget).word->size(), 12U);
+}
+
+/// What the modules first … last - 1 become in a step of the whole word, their parents counted from `first`.
+ExactWord successors(const ExactWord& next, std::size_t first, std::size_t last) {
+    ExactWord some;
+    for (const ExactModule& module : next)
+        if (module.parent >= first && module.parent < last) {
+            some.push_back(module);
+            some.back().parent -= first;
+        }
+    return some;
+}
+
+/// All pieces of an open word, cut anywhere, against the step of the whole.
+void expect_pieces_agree(const PointSystem& system, std::size_t points) {
+    const ExactWord word = std::get<ExactWord>(exact_input(system, points));
+    const auto table = system.cycle().front();
+    ExactBudget budget;
+    const ExactWord next = std::get<ExactWord>(exact_step(system, word, table, budget));
+    for (std::size_t begin = 0; begin < word.size(); ++begin)
+        for (std::size_t end = begin + 1; end <= word.size(); ++end) {
+            const PieceSides sides{begin > 0, end < word.size()};
+            const ExactWord piece(word.begin() + static_cast<std::ptrdiff_t>(begin),
+                                  word.begin() + static_cast<std::ptrdiff_t>(end));
+            for (std::size_t wanted = 0; wanted < piece.size(); ++wanted) {
+                const PieceStep step = exact_piece_step(system, piece, sides, wanted, wanted + 1, table, budget);
+                if (!step.word) continue;
+                ASSERT_LE(step.first, wanted);
+                ASSERT_GT(step.last, wanted);
+                EXPECT_EQ(successors(*step.word, step.first, step.last),
+                          successors(next, begin + step.first, begin + step.last))
+                    << begin << ' ' << end << ' ' << wanted;
+                EXPECT_EQ(step.sides.left_open, begin + step.first > 0);
+                EXPECT_EQ(step.sides.right_open, begin + step.last < word.size());
+            }
+        }
+}
+
+TEST(ExactPieceStep, OfAnyPieceIsThatOfTheWholeWord) {
+    for (const char* name : {"s0/28-33", "s0/34-36", "s1/12", "s1/13"}) expect_pieces_agree(bundled_system(name), 6);
+    expect_pieces_agree(point_system("points\ninput # P(v) #\n# P(u) < P(v) -> P(u) P(v)\n"
+                                     "P(u) P(p) < P(v) > P(w) P(q) -> P(u) P(q)\nP(v) > P(w) # -> P(1/2 v + 1/2 w)\n"),
+                        6);
+}
+
+TEST(ExactPieceStep, TheStartOfTheWordIsCertain) {
+    // Two points are missed on the left: nothing is known of them in the middle, and there are none at the start.
+    const PointSystem system = point_system("points\ninput # P(v) #\nP(u) P(p) < P(v) -> P(u) P(v)\n");
+    const ExactWord word = std::get<ExactWord>(exact_input(system, 5));
+    const ExactWord piece(word.begin(), word.begin() + 4); // # P P P
+    ExactBudget budget;
+    const PieceStep known = exact_piece_step(system, piece, {false, true}, 1, 2, std::nullopt, budget);
+    ASSERT_TRUE(known.word);
+    EXPECT_EQ(known.first, 0U);
+    EXPECT_EQ(known.last, 4U);
+    EXPECT_FALSE(known.sides.left_open);
+    const ExactWord inner(word.begin() + 1, word.begin() + 4); // P P P, of unknown surroundings
+    EXPECT_FALSE(exact_piece_step(system, inner, {true, true}, 0, 1, std::nullopt, budget).word);
+    EXPECT_FALSE(exact_piece_step(system, inner, {true, true}, 1, 2, std::nullopt, budget).word);
+    EXPECT_TRUE(exact_piece_step(system, inner, {true, true}, 2, 3, std::nullopt, budget).word);
+    const PieceStep begins = exact_piece_step(system, inner, {false, true}, 0, 1, std::nullopt, budget);
+    ASSERT_TRUE(begins.word) << "a word that begins with P";
+    EXPECT_EQ(begins.first, 0U);
 }
 
 TEST(ExactPieceStep, OfAWholeOpenWordIsTheStep) {

@@ -2,18 +2,19 @@
 
 #include "internode/point/compile/interval_twin.h"
 
+#include "internode/point/compile/compile.h"
 #include "internode/point/compile/grammar_mask.h"
 #include "internode/stencil/step_matrix.h"
-#include "tests/reference/point_grammars.h"
-#include "tests/reference/systems.h"
+#include "tests/fixtures/interval_systems.h"
+#include "tests/fixtures/point_systems.h"
 
 #include <gtest/gtest.h>
 
 namespace internode {
 namespace {
 
-using reference::bundled_system;
-using reference::point_system;
+using tests::bundled_system;
+using tests::point_system;
 
 std::optional<IntervalTwin> twin(const PointSystem& system) {
     return interval_twin(compile(system, {many_points}).compiled.value());
@@ -79,7 +80,7 @@ TEST(IntervalTwin, KnowsArity3) {
 
 TEST(IntervalTwin, OpenChaikinIsTheClampedQuadratic) {
     // S0 (28)-(33), (34)-(36) and matrix (27) against `A -> A A` at degree 2 over 0^2 A^(n-2) 0^2.
-    const IntervalSystem bisection = reference::system_of("A->AA");
+    const IntervalSystem bisection = tests::system_of("A->AA");
     for (std::size_t n = 4; n <= 9; ++n) {
         Word word(n + 2, to_symbol(0));
         word[0] = word[1] = word[n] = word[n + 1] = zero_interval;

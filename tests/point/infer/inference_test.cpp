@@ -2,6 +2,7 @@
 
 #include "internode/point/infer/inference.h"
 
+#include "internode/algebra/fraction.h"
 #include "internode/io/matrix/fraction_matrix.h"
 #include "tests/reference/point_rows.h"
 
@@ -18,11 +19,7 @@ using testing::SizeIs;
 
 using Stencils = std::vector<PointStencil>;
 
-Rational q(long numerator, long denominator) {
-    Rational value(numerator, denominator);
-    value.canonicalize();
-    return value;
-}
+constexpr auto q = fraction;
 
 /// A ring of n points: new point m q + r is stencils[r] about old point q.
 RationalMatrix ring_matrix(const Stencils& stencils, std::size_t n) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 
+#include "internode/algebra/fraction.h"
 #include "internode/io/matrix/fraction_matrix.h"
 #include "internode/point/infer/inference.h"
 #include "tests/reference/point_rows.h"
@@ -17,11 +18,7 @@ using testing::SizeIs;
 
 using Stencils = std::vector<PointStencil>;
 
-Rational q(long numerator, long denominator) {
-    Rational value(numerator, denominator);
-    value.canonicalize();
-    return value;
-}
+constexpr auto q = fraction;
 
 /// The family of matrices of an open scheme: fixed rows at the first points, a pattern, fixed rows at the last points.
 struct OpenScheme {

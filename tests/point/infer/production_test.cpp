@@ -2,13 +2,15 @@
 
 #include "internode/point/infer/production.h"
 
+#include "internode/algebra/fraction.h"
 #include "internode/grammar/points/parse_points.h"
 #include "internode/grammar/points/print_points.h"
 #include "internode/io/file/input_file.h"
 #include "internode/point/infer/inference.h"
 #include "internode/point/infer/reverse_rules.h"
-#include "tests/reference/point_rows.h"
+#include "tests/fixtures/point_systems.h"
 #include "tests/fixtures/source_folder.h"
+#include "tests/reference/point_rows.h"
 
 #include <stdexcept>
 
@@ -19,11 +21,7 @@ namespace {
 
 using testing::HasSubstr;
 
-Rational q(long numerator, long denominator) {
-    Rational value(numerator, denominator);
-    value.canonicalize();
-    return value;
-}
+constexpr auto q = fraction;
 
 std::string text_of(const PointProduction& production) {
     return print(to_grammar("g",
@@ -82,8 +80,7 @@ TEST(Production, RefusesOffsetsBeyondItsContextsAndMarkersInARing) {
 }
 
 PointGrammar bundled(const std::string& name) {
-    const InputText text = read_input(tests::in_source_folder("data/grammars/") + name + ".lsys");
-    return parse_point_grammar(text.text, name).grammar.value();
+    return tests::point_grammar(tests::text_of_data(name));
 }
 
 /// The production of that shift in the grammar's own matrix.

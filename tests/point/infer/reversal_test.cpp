@@ -3,6 +3,7 @@
 #include "internode/point/infer/reversal.h"
 
 #include "internode/point/interpreter.h"
+#include "internode/point/start_word.h"
 
 #include <cmath>
 #include <random>

@@ -2,6 +2,7 @@
 
 #include "internode/point/infer/reverse_rules.h"
 
+#include "internode/algebra/fraction.h"
 #include "internode/io/matrix/fraction_matrix.h"
 #include "internode/point/infer/inference.h"
 #include "tests/reference/point_rows.h"
@@ -15,11 +16,7 @@ namespace {
 
 using testing::ElementsAre;
 
-Rational q(long numerator, long denominator) {
-    Rational value(numerator, denominator);
-    value.canonicalize();
-    return value;
-}
+constexpr auto q = fraction;
 
 UniformMask mask(std::size_t arity, std::ptrdiff_t first, long denominator, const std::vector<long>& numerators) {
     UniformMask result{arity, first, {}};

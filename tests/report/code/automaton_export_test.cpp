@@ -4,7 +4,7 @@
 
 #include "internode/report/code/automaton_code.h"
 #include "internode/word/factors.h"
-#include "tests/reference/systems.h"
+#include "tests/fixtures/interval_systems.h"
 #include "tests/report/systems.h"
 
 #include <gmock/gmock.h>
@@ -14,9 +14,9 @@ namespace internode {
 namespace {
 
 using nlohmann::json;
-using reference::system_of;
 using testing::HasSubstr;
 using testing::Not;
+using tests::system_of;
 
 const Generator maker{"0.1.0", "internode masks"};
 
@@ -32,7 +32,7 @@ Word with_zeros(const Word& domain, std::size_t zeros) {
 }
 
 TEST(AutomatonExport, ServesEveryOpenAndClampedWordThatPersists) {
-    for (const auto& [name, text] : reference::sample_systems()) {
+    for (const auto& [name, text] : tests::sample_systems()) {
         SCOPED_TRACE(name);
         const IntervalSystem system = system_of(text);
         for (int degree = 1; degree <= 3; ++degree) {
@@ -51,7 +51,7 @@ TEST(AutomatonExport, ServesEveryOpenAndClampedWordThatPersists) {
 
 TEST(AutomatonExport, OfAWordHoldsItsCellsAndNoOther) {
     const IntervalSystem fibonacci = system_of("L->SL, S->L");
-    const Axiom word{reference::word_of(fibonacci, "SSSSS"), Ends::Circular};
+    const Axiom word{tests::word_of(fibonacci, "SSSSS"), Ends::Circular};
     const AutomatonExport exported = export_automaton("g", fibonacci, 3, word, max_states);
     EXPECT_EQ(exported.start, "word");
     EXPECT_EQ(exported.automaton.state_count(), 9U);
@@ -69,7 +69,7 @@ TEST(AutomatonExport, RefusesWhatIsNone) {
     EXPECT_THROW((void)make(2, WordChoice::Reachable, max_states), std::invalid_argument);
     EXPECT_THROW((void)make(2, WordChoice::Persistent, 10), TooManyStates);
     EXPECT_THROW((void)make(5, WordChoice::All, 10), TooManyWords);
-    const Axiom word{reference::word_of(fibonacci, "LS"), Ends::Open};
+    const Axiom word{tests::word_of(fibonacci, "LS"), Ends::Open};
     EXPECT_THROW((void)export_automaton("g", fibonacci, 2, word, max_states), std::invalid_argument);
     EXPECT_THROW((void)cells_of_windows({}, 0), std::invalid_argument);
 }

@@ -3,6 +3,8 @@
 #include "internode/report/json/points_json.h"
 
 #include "internode/grammar/points/parse_points.h"
+#include "internode/point/strands.h"
+#include "tests/fixtures/point_systems.h"
 
 #include <gmock/gmock.h>
 
@@ -15,10 +17,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-PointSystem system_of(std::string_view text) {
-    return *make_point_system(*parse_point_grammar(text, "test").grammar).system;
-}
+using tests::point_system;
 
 std::string json(const PointStrands& strands, const PointSystem& system, const PointsDocument& document) {
     StringSink sink;
@@ -31,7 +30,7 @@ PointStrands corner() {
 }
 
 TEST(PointsJson, TellsConstantsExactlyWhereTheyAre) {
-    const PointSystem system = system_of("points g\nt = 1/4\nh = sqrt(2)\nf(x) = x\nring\nP(v) -> P(v)\n");
+    const PointSystem system = point_system("points g\nt = 1/4\nh = sqrt(2)\nf(x) = x\nring\nP(v) -> P(v)\n");
     EXPECT_THAT(json(corner(), system, {.name = "g", .cycles = 3, .generator = {}}),
                 AllOf(HasSubstr("\"t\": {\"value\": 0.25, \"exact\": \"1/4\"}"),
                       HasSubstr("\"h\": {\"value\": 1.4142135623730951, \"exact\": null}"), Not(HasSubstr("\"f\"")),
@@ -39,7 +38,7 @@ TEST(PointsJson, TellsConstantsExactlyWhereTheyAre) {
 }
 
 TEST(PointsJson, SetsWeightsApart) {
-    const PointSystem system = system_of("points g\nring\nP(v) -> P(v)\n");
+    const PointSystem system = point_system("points g\nring\nP(v) -> P(v)\n");
     const std::string text = json(corner(), system, {.name = "g", .weighted = true, .generator = {}});
     EXPECT_THAT(text, HasSubstr("\"weights\": [0, 2]"));
     EXPECT_THAT(text, AllOf(HasSubstr("[0]"), HasSubstr("[1]")));
@@ -51,14 +50,14 @@ TEST(PointsJson, SetsWeightsApart) {
 }
 
 TEST(PointsJson, WritesLinesAsPairs) {
-    const PointSystem system = system_of("points g\nring\nP(v) -> P(v)\n");
+    const PointSystem system = point_system("points g\nring\nP(v) -> P(v)\n");
     PointStrands strands = corner();
     strands.lines = {0, 0, 1, 2};
     EXPECT_THAT(json(strands, system, {.name = "g", .generator = {}}), HasSubstr("[[0, 0], [1, 2]]"));
 }
 
 TEST(PointsJson, RefusesWhatJsonHasNot) {
-    const PointSystem system = system_of("points g\nring\nP(v) -> P(v)\n");
+    const PointSystem system = point_system("points g\nring\nP(v) -> P(v)\n");
     PointStrands strands = corner();
     strands.points[3] = std::numeric_limits<double>::quiet_NaN();
     StringSink sink;

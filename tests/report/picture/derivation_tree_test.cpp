@@ -3,6 +3,8 @@
 #include "internode/report/picture/derivation_tree.h"
 
 #include "internode/grammar/points/parse_points.h"
+#include "internode/point/start_word.h"
+#include "tests/fixtures/point_systems.h"
 
 #include <gmock/gmock.h>
 
@@ -14,10 +16,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-PointSystem system_of(std::string_view text) {
-    return *make_point_system(*parse_point_grammar(text, "test").grammar).system;
-}
+using tests::point_system;
 
 /// The tree of so many steps from the axiom.
 DerivationTree tree_of(const PointSystem& system, std::size_t steps) {
@@ -48,7 +47,7 @@ constexpr std::string_view de_casteljau = "points d\naxiom P((0,0)) E P((1,2)) E
                                           "P(u) < E > P(v) -> P(1/2 u + 1/2 v)\nE < P(v) > E -> E\nP(v) -> .\n";
 
 TEST(DerivationTree, OfDeCasteljauIsThatOfFigureFive) {
-    const PointSystem system = system_of(de_casteljau);
+    const PointSystem system = point_system(de_casteljau);
     const std::string svg = derivation_tree(tree_of(system, 2), system);
     EXPECT_EQ(occurrences(svg, "<circle cx=\"[0-9.]*\" cy=\"[0-9.]*\" r=\"6.5\""), 3U + 2 + 1);
     EXPECT_EQ(occurrences(layer(svg, "successors"), "<path"), 3U + 1);
@@ -57,19 +56,19 @@ TEST(DerivationTree, OfDeCasteljauIsThatOfFigureFive) {
 }
 
 TEST(DerivationTree, NumbersStandBesideTheirModules) {
-    const PointSystem system = system_of("points n\naxiom A(1.5)\nA(x) -> A(2 x + 1)\n");
+    const PointSystem system = point_system("points n\naxiom A(1.5)\nA(x) -> A(2 x + 1)\n");
     EXPECT_THAT(derivation_tree(tree_of(system, 1), system), HasSubstr(">A(4)</text>"));
 }
 
 TEST(DerivationTree, StatesHaveColoursOfTheirOwn) {
-    const PointSystem system = system_of("points s\naxiom P((0,0), 2) P((1,0), 0)\nP(v, s) -> P(v, s)\n");
+    const PointSystem system = point_system("points s\naxiom P((0,0), 2) P((1,0), 0)\nP(v, s) -> P(v, s)\n");
     const std::string svg = derivation_tree(tree_of(system, 1), system);
     EXPECT_THAT(svg, HasSubstr(">P(v, 2)</text>"));
     EXPECT_THAT(svg, HasSubstr(">P(v, 0)</text>"));
 }
 
 TEST(DerivationTree, NamesAreText) {
-    const PointSystem system = system_of(de_casteljau);
+    const PointSystem system = point_system(de_casteljau);
     DerivationTree tree = tree_of(system, 1);
     tree.title = "<script>";
     tree.row_names[0] = "<b>";
@@ -79,7 +78,7 @@ TEST(DerivationTree, NamesAreText) {
 }
 
 TEST(DerivationTree, RefusesWhatDoesNotFit) {
-    const PointSystem system = system_of(de_casteljau);
+    const PointSystem system = point_system(de_casteljau);
     DerivationTree tree = tree_of(system, 1);
     tree.row_names.pop_back();
     EXPECT_THROW((void)derivation_tree(tree, system), std::invalid_argument);

@@ -2,6 +2,8 @@
 
 #include "internode/report/picture/levels_picture.h"
 
+#include "internode/point/strands.h"
+
 #include <gmock/gmock.h>
 
 #include <algorithm>

@@ -19,7 +19,8 @@ namespace internode {
 /// Weights of the points first, first + 1, …: modulo the number of points where the curve is closed.
 struct GatherRow {
     std::ptrdiff_t first = 0;
-    std::span<const double> weights; ///< from the first to the last that is not 0; lives as long as its hierarchy
+    std::span<const double>
+        weights; ///< weights from the first to the last that is not 0; lives as long as its hierarchy
 };
 
 struct GatherMatrix {

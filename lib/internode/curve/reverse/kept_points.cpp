@@ -13,7 +13,7 @@ namespace {
 struct Candidate {
     std::size_t row = 0;
     double weight = 0;
-    double cost = 0;      ///< of the best choice up to this column that ends here
+    double cost = 0;      ///< cost of the best choice up to this column that ends here
     std::size_t back = 0; ///< the candidate of the column before
 };
 

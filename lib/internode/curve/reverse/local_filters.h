@@ -30,7 +30,7 @@ private:
         std::size_t filter = 0;
     };
     std::size_t fine_size_ = 0;
-    std::vector<Place> places_;                ///< per coarse point
+    std::vector<Place> places_;                ///< the filter of each coarse point
     std::vector<std::vector<double>> filters_; ///< weights of consecutive fine points
 };
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// PᵀP is kept as an envelope: of each row of its lower triangle the entries from the first one that is not 0.
+// Cholesky's factor fills nothing outside it. On a ring the rows at the seam reach back to the front.
 
 #include "internode/curve/reverse/normal_equations.h"
 

@@ -24,9 +24,9 @@ struct CoarseWord {
 };
 
 struct PossibleSize {
-    std::uint64_t points = 0; ///< of the fine polygon
+    std::uint64_t points = 0; ///< points of the fine polygon
     int levels = 0;
-    Word word; ///< of the coarse polygon, clamped ends included
+    Word word; ///< word of the coarse polygon, clamped ends included
 };
 
 /// Both the same when the number of points is possible.

@@ -3,6 +3,7 @@
 #include "internode/curve/reverse/pyramid.h"
 
 #include "internode/curve/refinement.h"
+#include "internode/curve/reverse/reverse_step.h"
 
 #include <algorithm>
 #include <cmath>

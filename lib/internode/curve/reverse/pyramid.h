@@ -10,13 +10,19 @@
 #pragma once
 
 #include "internode/curve/curve.h"
-#include "internode/curve/reverse/reverse_step.h"
+#include "internode/curve/reverse/details.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace internode {
 
 /// The step from polygon `level` to polygon `level` + 1, level being the place in Pyramid::levels.
 struct PyramidLevel {
-    std::size_t points = 0;   ///< of the finer polygon
+    std::size_t points = 0;   ///< points of the finer polygon
     std::size_t inserted = 0; ///< how many of them stand for inserted knots: details at most
     Details details;          ///< those that were kept
 };
@@ -24,12 +30,12 @@ struct PyramidLevel {
 struct Pyramid {
     Curve coarse;
     ReverseOptions options;           ///< the left inverse that the details belong to
-    std::vector<PyramidLevel> levels; ///< from coarse to fine
+    std::vector<PyramidLevel> levels; ///< the levels from coarse to fine
 };
 
 struct Analysis {
     Pyramid pyramid;
-    std::vector<std::vector<double>> polygons; ///< of every level, 0 … n; the last is the fine polygon
+    std::vector<std::vector<double>> polygons; ///< the points of every level, 0 … n; the last is the fine polygon
     /// G of every level: the largest coordinate over that of the fine polygon, both from the middle of its box. Errors
     /// of a synthesis grow to about G times rounding.
     std::vector<double> gains;
@@ -61,7 +67,7 @@ inline constexpr double largest_coordinate = 1e150;
 
 struct PolygonError {
     double largest = 0;          ///< distance of a point from its counterpart
-    double root_mean_square = 0; ///< of all these distances
+    double root_mean_square = 0; ///< root mean square of all these distances
 };
 
 /// Between two polygons of as many points. \throw std::invalid_argument
@@ -75,8 +81,8 @@ struct PolygonError {
 [[nodiscard]] bool has_loose_ends(const Knots& knots);
 
 struct CheckedPyramid {
-    std::optional<Pyramid> pyramid;    ///< when everything fits
-    std::vector<std::string> problems; ///< what does not, each a sentence with the numbers
+    std::optional<Pyramid> pyramid;    ///< the pyramid, when everything fits
+    std::vector<std::string> problems; ///< what does not fit, each a sentence with the numbers
 };
 
 /// Checks the sizes of levels against the knots of `coarse`, and details: ascending, at points that are there, finite.

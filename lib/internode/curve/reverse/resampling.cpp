@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace internode {
 
@@ -73,6 +74,17 @@ std::vector<double> cut(std::span<const double> points, std::size_t dimension, s
     require_points(points, dimension, count);
     if (count > points.size() / dimension) throw std::invalid_argument("more points than there are");
     return {points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count * dimension)};
+}
+
+FittedPolygon fitted(std::span<const double> points, std::size_t dimension, Ends ends, Fit fit, std::size_t count) {
+    require_points(points, dimension, count);
+    const std::size_t measured = points.size() / dimension;
+    Fitting fitting{.fit = count == measured ? Fit::AsMeasured : fit, .measured = measured, .points = count};
+    if (fitting.fit == Fit::AsMeasured) return {{points.begin(), points.end()}, fitting};
+    if (fit == Fit::Cut) return {cut(points, dimension, count), fitting};
+    ResampledPolygon result = resampled(points, dimension, ends, count);
+    fitting.spacing = result.spacing;
+    return {std::move(result.points), fitting};
 }
 
 std::string to_string(const Fitting& fitting) {

@@ -42,6 +42,16 @@ struct Fitting {
     bool clamped = false; ///< and the same curve with clamped ends took its place (curve/clamping.h)
 };
 
+struct FittedPolygon {
+    std::vector<double> points; ///< rows of the same dimension
+    Fitting fitting;
+};
+
+/// The polygon with `count` points, cut or resampled as `fit` says; as it is where it has so many already.
+/// \throw as resampled() and cut()
+[[nodiscard]] FittedPolygon fitted(std::span<const double> points, std::size_t dimension, Ends ends, Fit fit,
+                                   std::size_t count);
+
 /// "4821 points, resampled to 4816 at equal steps of chord length".
 [[nodiscard]] std::string to_string(const Fitting& fitting);
 

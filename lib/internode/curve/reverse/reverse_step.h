@@ -13,6 +13,7 @@
 
 #pragma once
 
+#include "internode/curve/reverse/details.h"
 #include "internode/curve/reverse/hierarchy.h"
 #include "internode/curve/reverse/local_filters.h"
 #include "internode/curve/reverse/normal_equations.h"
@@ -20,19 +21,6 @@
 #include <optional>
 
 namespace internode {
-
-enum class ReverseMethod { LeastSquares, Local };
-
-struct ReverseOptions {
-    ReverseMethod method = ReverseMethod::LeastSquares;
-    std::size_t window = 5; ///< old intervals of a local filter: 3 to 5 do well up to degree 5
-};
-
-/// Details at some fine points, in ascending order; 0 at all others.
-struct Details {
-    std::vector<std::size_t> points; ///< fine points
-    std::vector<double> vectors;     ///< a row each
-};
 
 class ReverseStep {
 public:
@@ -59,7 +47,7 @@ private:
     bool identity_;
     std::vector<std::size_t> kept_;
     std::vector<std::size_t> inserted_;
-    std::optional<NormalEquations> equations_; ///< of the least squares
+    std::optional<NormalEquations> equations_; ///< the equations of the least squares
     std::optional<LocalFilters> filters_;
 };
 

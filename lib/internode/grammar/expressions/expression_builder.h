@@ -57,7 +57,7 @@ public:
     [[nodiscard]] bool ends_in_quotient() const { return operands_.back().quotient; }
     [[nodiscard]] Place last_place() const { return operands_.back().place; }
 
-    /// Of the only operand left.
+    /// What the only operand left is.
     [[nodiscard]] ValueKind kind() const { return operands_.back().kind; }
     [[nodiscard]] Expression expression(Place place) &&;
 
@@ -66,7 +66,7 @@ private:
         ValueKind kind = ValueKind::Number;
         bool literal = false;          ///< one Number instruction
         bool quotient = false;         ///< its last operation, not in parentheses, is a division
-        std::uint32_t coordinates = 0; ///< of a point literal; 0 where they are not known
+        std::uint32_t coordinates = 0; ///< how many a point literal has; 0 where that is not known
         Place place;
     };
 
@@ -78,7 +78,7 @@ private:
     [[nodiscard]] bool are_truths(std::size_t count);
     [[nodiscard]] bool are_numbers(std::size_t count);
     [[nodiscard]] bool are_values(std::size_t count, std::string_view hint = {});
-    [[nodiscard]] bool refuse(Place place, std::string message, std::string hint = {});
+    [[nodiscard]] bool refuse(std::string_view code, Place place, std::string message, std::string hint = {});
     [[nodiscard]] Operand& operand(std::size_t from_last) { return operands_[operands_.size() - 1 - from_last]; }
     [[nodiscard]] Place place_of_last(std::size_t count) const;
 

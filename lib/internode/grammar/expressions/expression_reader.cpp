@@ -7,6 +7,7 @@
 #include "internode/grammar/lexing/limits.h"
 #include "internode/grammar/lexing/token_cursor.h"
 
+#include <cassert>
 #include <vector>
 
 #include <fmt/format.h>
@@ -19,11 +20,11 @@ namespace {
 struct Pending {
     enum class Shape { Open, Call, Prefix, Binary };
     Shape shape = Shape::Open;
-    Operation operation = Operation::Call; ///< of a Call: of the function; Operation::Call for a defined one
+    Operation operation = Operation::Call; ///< operation of a built-in function; Operation::Call for a defined one
     std::uint32_t definition = 0;
     std::size_t commas = 0;
     Complaints::Place place;
-    std::string_view name; ///< of a function
+    std::string_view name; ///< name of the function that is called
 };
 
 class ExpressionReader {
@@ -50,8 +51,8 @@ public:
 private:
     using Place = Complaints::Place;
 
-    void refuse(Place place, std::string message, std::string_view hint = {}) {
-        context_.complaints.add(place, std::move(message), std::string(hint));
+    void refuse(std::string_view code, Place place, std::string message, std::string_view hint = {}) {
+        context_.complaints.add(code, place, std::move(message), std::string(hint));
         sound_ = false;
     }
     void keep(bool sound) { sound_ = sound_ && sound; }
@@ -84,7 +85,8 @@ private:
 
     void check_nesting(std::size_t levels, Place place) {
         if (sound_ && levels > max_nesting)
-            refuse(place, fmt::format("more than {} levels of parentheses and signs", max_nesting),
+            refuse("expression.too-deep", place,
+                   fmt::format("more than {} levels of parentheses and signs", max_nesting),
                    "name a part: `a = 1/2 + t`");
     }
 
@@ -103,7 +105,8 @@ private:
             cursor_.next();
             const Rational divisor = take_number();
             end = end_;
-            if (sound_ && sgn(divisor) == 0) refuse({begin, end - begin}, "a division by zero");
+            if (sound_ && sgn(divisor) == 0)
+                refuse("expression.division-by-zero", {begin, end - begin}, "a division by zero");
             if (sound_) value /= divisor;
         }
         // The normal form writes a fraction after `/` in parentheses.
@@ -123,7 +126,9 @@ private:
         end_ = end_of_number(cursor_);
         const std::string_view digits = context_.text.substr(begin, end_ - begin);
         std::optional<Rational> value = parse_rational(digits);
-        if (!value) refuse({begin, end_ - begin}, fmt::format("a number of more than {} digits", max_digits));
+        if (!value)
+            refuse("expression.too-many-digits", {begin, end_ - begin},
+                   fmt::format("a number of more than {} digits", max_digits));
         cursor_.move_to(end_);
         return value ? *std::move(value) : Rational(0);
     }
@@ -140,7 +145,7 @@ private:
             return;
         }
         if (name == "and" || name == "or") {
-            refuse(place, fmt::format("`{}` has nothing on its left", name));
+            refuse("expression.nothing-on-left", place, fmt::format("`{}` has nothing on its left", name));
             return;
         }
         if (const std::optional<Operation> function = builtin_function(name)) {
@@ -160,7 +165,7 @@ private:
 
     void open_call(Operation operation, std::uint32_t definition, Place place, std::string_view name) {
         if (!cursor_.at_mark('(')) {
-            refuse(place, fmt::format("{} is a function", quoted(name)),
+            refuse("expression.function-without-arguments", place, fmt::format("{} is a function", quoted(name)),
                    fmt::format("write {}", sample_call(operation, definition, name)));
             return;
         }
@@ -190,13 +195,13 @@ private:
         } else if (token.kind == TokenKind::Unbalanced) {
             refuse_unbalanced();
         } else if (cursor_.at_mark('+')) {
-            refuse(cursor_.place(), "a sign `+` before a value", "leave it out");
+            refuse("expression.plus-sign", cursor_.place(), "a sign `+` before a value", "leave it out");
         } else if (cursor_.at_mark(')') || cursor_.at_mark(',')) {
             const bool is_empty = !pending_.empty() && pending_.back().shape != Pending::Shape::Binary;
-            refuse(cursor_.place(),
+            refuse(is_empty ? "expression.empty" : "expression.nothing-on-right", cursor_.place(),
                    is_empty ? "nothing where a value is wanted" : "an operation without its right side");
         } else {
-            refuse(cursor_.place(), fmt::format("{} where a value is wanted", quoted(fragment)),
+            refuse("expression.no-value", cursor_.place(), fmt::format("{} where a value is wanted", quoted(fragment)),
                    hint_for_sign(fragment));
         }
     }
@@ -204,7 +209,8 @@ private:
     void refuse_unbalanced() {
         const std::string_view bracket = cursor_.rest();
         const bool opens = bracket == "(" || bracket == "[";
-        refuse(cursor_.place(), fmt::format("`{}` {}", bracket, opens ? "is never closed" : "was never opened"));
+        refuse("grammar.unbalanced", cursor_.place(),
+               fmt::format("`{}` {}", bracket, opens ? "is never closed" : "was never opened"));
     }
 
     // Operators.
@@ -236,19 +242,20 @@ private:
             return;
         }
         if (word != "(" && !is_name(word)) {
-            refuse(place, fmt::format("{} follows a value", quoted(word)),
+            refuse("expression.two-values", place, fmt::format("{} follows a value", quoted(word)),
                    "write `*` before a number: `v * 2`, or `2 v`");
             return;
         }
         if (word == "not") {
-            refuse(place, "`not` follows a value", "write `x < 1 and not y < 1`");
+            refuse("expression.two-values", place, "`not` follows a value", "write `x < 1 and not y < 1`");
             return;
         }
         reduce(precedence(Operation::Multiply));
         if (!sound_) return;
         if (builder_.ends_in_quotient()) {
             const std::size_t begin = builder_.last_place().offset;
-            refuse({begin, place.offset + place.bytes - begin}, "a quotient, then a factor: is it below the line?",
+            refuse("expression.ambiguous-quotient", {begin, place.offset + place.bytes - begin},
+                   "a quotient, then a factor: is it below the line?",
                    "write `a/b * c` or `a/(b c)`; `1/2 v` is half of v");
             return;
         }
@@ -278,7 +285,7 @@ private:
         reduce(0);
         if (!sound_) return;
         if (pending_.empty()) {
-            refuse(cursor_.place(), "`,` outside parentheses", "a point is written `(x, y)`");
+            refuse("expression.comma", cursor_.place(), "`,` outside parentheses", "a point is written `(x, y)`");
             return;
         }
         Pending& top = pending_.back();
@@ -294,7 +301,7 @@ private:
         reduce(0);
         if (!sound_) return;
         if (pending_.empty()) {
-            refuse(cursor_.place(), "`)` was never opened");
+            refuse("grammar.unbalanced", cursor_.place(), "`)` was never opened");
             return;
         }
         const Pending top = pending_.back();
@@ -310,13 +317,15 @@ private:
     }
 
     void finish_call(const Pending& call, std::size_t arguments) {
+        assert(call.shape == Pending::Shape::Call && arguments > 0);
         const bool is_defined = call.operation == Operation::Call;
         const bool is_chain = call.operation == Operation::Minimum || call.operation == Operation::Maximum;
         const std::size_t arity =
             is_defined ? context_.scope.table()[call.definition].formals.size() : operand_count({call.operation, 0}, 0);
         if (is_chain ? arguments < 2 : arguments != arity)
-            refuse(call.place, fmt::format("{} takes {}{} argument{}, not {}", quoted(call.name),
-                                           is_chain ? "at least " : "", arity, arity == 1 ? "" : "s", arguments));
+            refuse("expression.wrong-arity", call.place,
+                   fmt::format("{} takes {}{} argument{}, not {}", quoted(call.name), is_chain ? "at least " : "",
+                               arity, arity == 1 ? "" : "s", arguments));
         else
             keep(is_defined ? builder_.call(call.definition, arity) : builder_.apply(call.operation, call.place));
     }
@@ -328,7 +337,8 @@ private:
         const std::size_t index = std::string_view("xyzw").find(name.empty() ? '?' : name.front());
         const Place place{begin, 1 + name.size()};
         if (name.size() != 1 || index == std::string_view::npos) {
-            refuse(place, fmt::format("{} is no coordinate", quoted(context_.text.substr(begin, place.bytes))),
+            refuse("expression.no-coordinate", place,
+                   fmt::format("{} is no coordinate", quoted(context_.text.substr(begin, place.bytes))),
                    "`.x`, `.y`, `.z`, `.w` are the coordinates of a point");
             return;
         }
@@ -343,26 +353,31 @@ private:
         else if (cursor_.token().kind == TokenKind::Unbalanced)
             refuse_unbalanced();
         else
-            refuse(cursor_.place(), fmt::format("{} has no meaning in an expression", quoted(fragment)),
-                   hint_for_sign(fragment));
+            refuse("expression.foreign-sign", cursor_.place(),
+                   fmt::format("{} has no meaning in an expression", quoted(fragment)), hint_for_sign(fragment));
     }
 
     void finish(Wanted wanted) {
         const Place last{whole_.offset + whole_.bytes, 0};
         if (expects_operand_) {
-            refuse(last, "an operation without its right side");
+            refuse("expression.nothing-on-right", last, "an operation without its right side");
             return;
         }
         reduce(0);
         if (!sound_) return;
+        if (!pending_.empty()) { // its partner went to another statement
+            refuse("grammar.unbalanced", pending_.back().place, "`(` is never closed");
+            return;
+        }
         const ValueKind kind = builder_.kind();
         if (wanted == Wanted::Truth && kind != ValueKind::Truth)
-            refuse(whole_, "a number where a condition is wanted",
+            refuse("expression.number-for-truth", whole_, "a number where a condition is wanted",
                    "a condition compares: `x < 2`, `x == 0 and y != 1`");
         else if (wanted != Wanted::Truth && kind == ValueKind::Truth)
-            refuse(whole_, "a condition where a value is wanted");
+            refuse("expression.truth-for-number", whole_, "a condition where a value is wanted");
         else if (wanted == Wanted::Number && kind == ValueKind::Point)
-            refuse(whole_, "a point where a number is wanted", "`.x`, `.y`, `.z`, `.w` are its coordinates");
+            refuse("expression.point-for-number", whole_, "a point where a number is wanted",
+                   "`.x`, `.y`, `.z`, `.w` are its coordinates");
     }
 
     ExpressionContext& context_;
@@ -371,7 +386,7 @@ private:
     Place whole_;
     std::size_t nesting_; ///< entries of pending_ that are no binary operations
     std::vector<Pending> pending_;
-    std::size_t end_ = 0; ///< of the last number
+    std::size_t end_ = 0; ///< where the last number ends
     bool expects_operand_ = true;
     bool sound_ = true;
 };
@@ -379,6 +394,7 @@ private:
 } // namespace
 
 std::optional<Expression> read_expression(std::span<const Token> tokens, Wanted wanted, ExpressionContext& context) {
+    assert(!tokens.empty());
     return ExpressionReader(tokens, context).read(wanted);
 }
 

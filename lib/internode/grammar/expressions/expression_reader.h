@@ -33,8 +33,8 @@ struct ExpressionContext {
     NameScope& scope;
     PointBudget& budget;
     Complaints& complaints;
-    std::size_t& searches; ///< for names that could be meant, so far
-    std::size_t levels;    ///< of nesting that the normal form adds
+    std::size_t& searches; ///< searches for names that could be meant, so far
+    std::size_t levels;    ///< levels of nesting that the normal form adds
 };
 
 /// Reads all of the tokens, at least one; none after a complaint. Cost: linear in the tokens.

@@ -3,6 +3,7 @@
 #include "internode/grammar/expressions/name_scope.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace internode {
 
@@ -16,6 +17,7 @@ std::optional<std::size_t> DefinitionTable::announced(std::string_view name) con
 }
 
 void DefinitionTable::add(Definition definition) {
+    assert(!definition.name.empty() && !index_.contains(definition.name));
     index_.emplace(definition.name, static_cast<std::uint32_t>(definitions_.size()));
     definitions_.push_back(std::move(definition));
 }

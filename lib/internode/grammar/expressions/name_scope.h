@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include "internode/grammar/points/point_grammar.h"
+#include "internode/expression/definition.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -20,7 +20,7 @@ namespace internode {
 struct NameMeaning {
     enum class Kind { Unknown, Formal, Constant, Function };
     Kind kind = Kind::Unknown;
-    std::uint32_t index = 0; ///< of the formal or the definition
+    std::uint32_t index = 0; ///< number of the formal or the definition
 };
 
 /// The constants and functions read so far, and the names of those to come.
@@ -46,8 +46,8 @@ private:
 
 enum class UnknownNames {
     Refused,
-    FirstIsFormal, ///< of an input: its point is the first name that means nothing else
-    AreFormals,    ///< of a rule whose formals could not all be read: what they were is not known
+    FirstIsFormal, ///< in an input: its point is the first name that means nothing else
+    AreFormals,    ///< in a rule whose formals could not all be read: what they were is not known
 };
 
 class NameScope {

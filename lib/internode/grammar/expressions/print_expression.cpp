@@ -4,7 +4,7 @@
 // stand where the strength asks for them, and where digits on both sides of `/` would be read as one number: the
 // quotient of x * 2 by 3 is `x * (2)/3`.
 
-#include "internode/grammar/points/print_points.h"
+#include "internode/grammar/expressions/print_expression.h"
 
 #include "internode/grammar/expressions/expression_symbols.h"
 #include "internode/grammar/expressions/name_scope.h"
@@ -17,7 +17,7 @@ namespace internode {
 
 namespace {
 
-/// Of what is never put in parentheses.
+/// Strength of what is never put in parentheses.
 constexpr int primary = 8;
 
 struct Printed {
@@ -40,10 +40,11 @@ std::string in_parentheses(std::string text) {
 
 class ExpressionPrinter {
 public:
-    ExpressionPrinter(const Expression& expression, std::span<const std::string> formals, const PointGrammar& grammar)
+    ExpressionPrinter(const Expression& expression, std::span<const std::string> formals,
+                      std::span<const Definition> definitions)
         : expression_(expression)
         , formals_(formals)
-        , grammar_(grammar) {}
+        , definitions_(definitions) {}
 
     std::string print() && {
         for (const Instruction& instruction : expression_.code) push(instruction);
@@ -58,13 +59,15 @@ private:
             push_number(expression_.numbers[instruction.operand]);
             break;
         case Operation::Formal:
+            assert(instruction.operand < formals_.size());
             push_primary(formals_[instruction.operand]);
             break;
         case Operation::Constant:
-            push_primary(grammar_.definitions[instruction.operand].name);
+            assert(instruction.operand < definitions_.size());
+            push_primary(definitions_[instruction.operand].name);
             break;
         case Operation::Call:
-            push_call(grammar_.definitions[instruction.operand]);
+            push_call(definitions_[instruction.operand]);
             break;
         case Operation::Point:
             push_list("(", instruction.operand);
@@ -98,6 +101,7 @@ private:
     }
 
     Printed pop() {
+        assert(!stack_.empty());
         Printed last = std::move(stack_.back());
         stack_.pop_back();
         return last;
@@ -109,6 +113,7 @@ private:
 
     /// The last `count` values, separated by commas, after an opening parenthesis.
     void push_list(std::string text, std::size_t count) {
+        assert(count > 0 && count <= stack_.size());
         const std::size_t first = stack_.size() - count;
         for (std::size_t i = first; i < stack_.size(); ++i) text += (i == first ? "" : ", ") + stack_[i].text;
         stack_.resize(first);
@@ -176,14 +181,15 @@ private:
 
     const Expression& expression_;
     std::span<const std::string> formals_;
-    const PointGrammar& grammar_;
+    std::span<const Definition> definitions_;
     std::vector<Printed> stack_;
 };
 
 } // namespace
 
-std::string print(const Expression& expression, std::span<const std::string> formals, const PointGrammar& grammar) {
-    return ExpressionPrinter(expression, formals, grammar).print();
+std::string print(const Expression& expression, std::span<const std::string> formals,
+                  std::span<const Definition> definitions) {
+    return ExpressionPrinter(expression, formals, definitions).print();
 }
 
 } // namespace internode

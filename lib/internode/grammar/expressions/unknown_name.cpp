@@ -5,6 +5,8 @@
 #include "internode/grammar/lexing/limits.h"
 #include "internode/text/diagnostic.h"
 
+#include <cassert>
+
 #include <fmt/format.h>
 
 namespace internode {
@@ -45,21 +47,22 @@ bool is_exponent(const UnknownName& unknown) {
 } // namespace
 
 void complain_of(const UnknownName& unknown, const NameScope& scope, std::size_t& searches, Complaints& complaints) {
+    assert(!unknown.name.empty());
     const std::string name = quoted(unknown.name);
     const std::optional<std::size_t> defined = scope.table().announced(unknown.name);
     if (defined && *defined <= unknown.place.offset) {
-        complaints.add(unknown.place, fmt::format("the definition of {} uses itself", name),
+        complaints.add("name.uses-itself", unknown.place, fmt::format("the definition of {} uses itself", name),
                        "definitions use earlier ones only: what repeats is the work of rules");
     } else if (defined) {
-        complaints.add(unknown.place,
+        complaints.add("name.defined-later", unknown.place,
                        fmt::format("{} is defined later, in line {}", name, complaints.line_of(*defined)),
                        "definitions use earlier ones only: move it up");
     } else if (is_exponent(unknown)) {
-        complaints.add(unknown.place, fmt::format("{} is no name here", name),
+        complaints.add("expression.exponent", unknown.place, fmt::format("{} is no name here", name),
                        "numbers have no exponents: write `0.001`");
     } else {
         const std::string near = near_name(unknown.name, scope, searches);
-        complaints.add(unknown.place,
+        complaints.add("name.unknown", unknown.place,
                        fmt::format("{} is no {}", name, unknown.is_call ? "function" : "parameter and no constant"),
                        near.empty() ? how_to_define(unknown) : fmt::format("did you mean `{}`?", near));
     }

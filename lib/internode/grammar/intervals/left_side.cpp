@@ -7,6 +7,7 @@
 #include "internode/grammar/lexing/word_reader.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include <fmt/format.h>
 
@@ -21,6 +22,7 @@ public:
         , complaints_(complaints) {}
 
     void read(const Statement& statement) {
+        assert(statement.arrow && *statement.arrow < statement.tokens.size());
         const std::span<const Token> left = statement.tokens.first(*statement.arrow);
         const bool is_symbol = left.size() == 1 && left.front().kind == TokenKind::Run &&
                                symbol_length(text_of(left.front(), text_)) == left.front().bytes;
@@ -36,21 +38,23 @@ private:
     std::optional<Symbol> define(const Token& token) {
         const std::string_view name = text_of(token, text_);
         if (name.size() > max_name_bytes) {
-            complaints_.add(place_of(token), too_long_symbol(name));
+            complaints_.add("word.symbol-too-long", place_of(token), too_long_symbol(name));
             sides_.excused.emplace(name);
             return std::nullopt;
         }
         if (const auto known = sides_.alphabet.find(name)) {
             const std::size_t line = complaints_.line_of(places_[to_index(*known)]);
-            complaints_.add(place_of(token), fmt::format("a second rule for {}", quoted(name)),
+            complaints_.add("grammar.second-rule", place_of(token), fmt::format("a second rule for {}", quoted(name)),
                             fmt::format("the first is in line {}", line));
             return std::nullopt;
         }
         if (sides_.alphabet.size() == max_symbols) {
-            complaints_.add(place_of(token), fmt::format("more than {} symbols", max_symbols));
+            complaints_.add("grammar.too-many-symbols", place_of(token),
+                            fmt::format("more than {} symbols", max_symbols));
             sides_.readable = false;
             return std::nullopt;
         }
+        assert(places_.size() == sides_.alphabet.size());
         places_.push_back(token.begin);
         return sides_.alphabet.add(name);
     }
@@ -70,18 +74,19 @@ private:
         if (std::ranges::any_of(left, is_broken)) return;
         const std::string hint = "a rule of an interval grammar has one symbol before `->`";
         if (left.empty()) {
-            complaints_.add(place_of(statement.tokens[*statement.arrow]), "no symbol before `->`", hint);
+            complaints_.add("rule.empty-left-side", place_of(statement.tokens[*statement.arrow]),
+                            "no symbol before `->`", hint);
             return;
         }
         const Complaints::Place place = place_of(left);
         const std::string_view fragment = text_.substr(place.offset, place.bytes);
         if (fragment.find_first_not_of('0') == std::string_view::npos)
-            complaints_.add(place, "`0` has no rule of its own: it stays `0`", "leave this rule out");
+            complaints_.add("rule.of-zero", place, "`0` has no rule of its own: it stays `0`", "leave this rule out");
         else if (is_kind(text_of(left.front(), text_)))
-            complaints_.add(place, fmt::format("{} is not one symbol", quoted(fragment)),
+            complaints_.add("rule.not-one-symbol", place, fmt::format("{} is not one symbol", quoted(fragment)),
                             "the kind of the grammar stands on a line of its own");
         else
-            complaints_.add(place, fmt::format("{} is not one symbol", quoted(fragment)), hint);
+            complaints_.add("rule.not-one-symbol", place, fmt::format("{} is not one symbol", quoted(fragment)), hint);
     }
 
     std::string_view text_;

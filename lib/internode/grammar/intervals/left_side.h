@@ -19,9 +19,10 @@ namespace internode {
 
 struct LeftSides {
     Alphabet alphabet;
-    std::vector<std::optional<Symbol>> symbols; ///< of each statement; none when it has no or no good left side
-    std::unordered_set<std::string> excused;    ///< names in left sides that could not be read: they may have a rule
-    bool readable = true;                       ///< false when there are more symbols than max_symbols
+    std::vector<std::optional<Symbol>>
+        symbols; ///< symbol before the arrow of each statement; none when it has no good one
+    std::unordered_set<std::string> excused; ///< names in left sides that could not be read: they may have a rule
+    bool readable = true;                    ///< false when there are more symbols than max_symbols
 };
 
 /// Reads the statements from number `first` on. Cost: linear in the statements.

@@ -39,7 +39,7 @@ private:
     const SymbolTable& symbols_;
     Complaints& complaints_;
     std::vector<LengthDeclaration> declared_;
-    std::unordered_map<std::size_t, std::size_t> index_; ///< of a symbol's declaration
+    std::unordered_map<std::size_t, std::size_t> index_; ///< where a symbol's declaration stands in declared_
 };
 
 } // namespace internode

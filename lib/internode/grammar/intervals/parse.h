@@ -5,22 +5,19 @@
 #pragma once
 
 #include "internode/grammar/intervals/interval_grammar.h"
+#include "internode/grammar/lexing/parsed.h"
 #include "internode/text/diagnostic.h"
 
-#include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
 namespace internode {
 
-struct ParsedGrammar {
-    std::optional<IntervalGrammar> grammar; ///< present iff errors is empty
-    std::vector<Diagnostic> errors;         ///< in the order of their places
-};
+using ParsedGrammar = Parsed<IntervalGrammar>;
 
-/// Reads a whole text; `source` is the name that diagnostics show. Never throws on any text (but std::bad_alloc).
-/// Cost: linear in the text. Limits: grammar/lexing/limits.h.
+/// Reads a whole text that must be an interval grammar (grammar/parse.h reads any kind); `source` is the name that
+/// diagnostics show. Never throws on any text (but std::bad_alloc). Cost: linear in the text. Limits:
+/// grammar/lexing/limits.h.
 [[nodiscard]] ParsedGrammar parse_grammar(std::string_view text, std::string_view source);
 
 struct ParsedWord {

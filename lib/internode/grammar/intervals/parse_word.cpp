@@ -27,7 +27,7 @@ void refuse_broken(const std::vector<Token>& tokens, std::string_view text, Comp
     for (const Token& token : tokens) {
         if (token.kind != TokenKind::Broken) continue;
         const unsigned byte = static_cast<unsigned char>(text[token.begin]);
-        complaints.add(place_of(token), fmt::format("the byte \\x{:02X} is no text", byte));
+        complaints.add("word.damaged-byte", place_of(token), fmt::format("the byte \\x{:02X} is no text", byte));
     }
 }
 
@@ -37,6 +37,7 @@ ParsedWord parse_word(std::string_view text, const Alphabet& alphabet, std::stri
     ParsedWord result;
     if (text.size() > max_grammar_bytes) {
         result.errors.emplace_back();
+        result.errors.back().code = "word.too-large";
         result.errors.back().source = source;
         result.errors.back().message = fmt::format("a word of {} bytes, more than {}", text.size(), max_grammar_bytes);
         return result;
@@ -45,13 +46,14 @@ ParsedWord parse_word(std::string_view text, const Alphabet& alphabet, std::stri
     const std::vector<Token> tokens = word_tokens(text);
     refuse_broken(tokens, text, complaints);
     if (tokens.empty()) {
-        complaints.add({0, 0}, "a word without letters", "write `L S L`, `0^3 (L S)^4 0^3` or `(L S)` for a circle");
+        complaints.add("word.empty", {0, 0}, "a word without letters",
+                       "write `L S L`, `0^3 (L S)^4 0^3` or `(L S)` for a circle");
     } else {
         const SymbolTable symbols(alphabet);
         ReadWord word = read_word(tokens, {text, symbols, WordPlace::Axiom, max_word_letters}, complaints);
         SymbolHints hints(alphabet);
         for (const SymbolUse& use : word.unknown)
-            complaints.add({use.offset, use.name.size()},
+            complaints.add("word.unknown-symbol", {use.offset, use.name.size()},
                            fmt::format("{} is no symbol of the grammar", quoted(use.name)), hints.in_word(use.name));
         result.says_ends = word.ends == Ends::Circular;
         result.axiom = {std::move(word.word), word.ends};

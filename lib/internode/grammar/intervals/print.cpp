@@ -4,9 +4,12 @@
 
 #include "internode/grammar/lexing/name.h"
 
+#include <cassert>
+
 namespace internode {
 
 std::string print(const IntervalGrammar& grammar) {
+    assert(grammar.alphabet.size() == grammar.rules.size());
     std::string text = "intervals";
     if (!grammar.name.empty()) text += ' ' + write_grammar_name(grammar.name);
     text += '\n';

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Complaints are kept in the order of arrival and sorted by place at the end; when twice as many are there as may be
+// kept, the later half goes. Columns are counted in one pass, because the places ascend.
 
 #include "internode/grammar/lexing/complaints.h"
 
@@ -6,6 +9,7 @@
 #include "internode/text/utf8.h"
 
 #include <algorithm>
+#include <cassert>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -38,8 +42,9 @@ Complaints::Complaints(std::string_view text, std::string_view source)
     : text_(text)
     , source_(source) {}
 
-void Complaints::add(Place place, std::string message, std::string hint) {
-    noted_.push_back({place, added_++, std::move(message), std::move(hint)});
+void Complaints::add(std::string_view code, Place place, std::string message, std::string hint) {
+    assert(place.offset <= text_.size());
+    noted_.push_back({code, place, added_++, std::move(message), std::move(hint)});
     if (noted_.size() >= 2 * max_kept_errors + 2) keep_the_first();
 }
 
@@ -53,11 +58,13 @@ void Complaints::keep_the_first() {
 
 std::size_t Complaints::line_of(std::size_t offset) const {
     if (line_starts_.empty()) line_starts_ = find_line_starts(text_);
+    assert(offset <= text_.size());
     const auto after = std::ranges::upper_bound(line_starts_, offset);
     return static_cast<std::size_t>(after - line_starts_.begin());
 }
 
 Diagnostic Complaints::locate(const Note& note, std::size_t line, std::size_t column) const {
+    assert(line >= 1 && line <= line_starts_.size() && column >= 1);
     const std::size_t start = line_starts_[line - 1];
     std::size_t end = line < line_starts_.size() ? line_starts_[line] : text_.size();
     while (end > start && (text_[end - 1] == '\n' || text_[end - 1] == '\r')) --end;
@@ -75,6 +82,7 @@ Diagnostic Complaints::locate(const Note& note, std::size_t line, std::size_t co
     result.column = column;
     const std::size_t marked = std::min(note.place.bytes, end > offset ? end - offset : 0);
     result.width = std::max<std::size_t>(1, count_code_points(text_.substr(offset, marked)));
+    result.code = note.code;
     result.message = note.message;
     result.hint = note.hint;
     result.source_line = text_.substr(first, end - first);
@@ -95,9 +103,11 @@ std::vector<Diagnostic> Complaints::diagnostics() && {
             counted = line_starts_[line - 1];
             column = 1;
         }
+        assert(counted <= note.place.offset);
         column += count_code_points(text_.substr(counted, note.place.offset - counted));
         counted = note.place.offset;
         if (result.size() == max_kept_errors) {
+            note.code = "text.too-many-errors";
             note.message = fmt::format("more than {} errors; the rest of the text is not judged", max_kept_errors);
             note.hint.clear();
         }
@@ -118,6 +128,7 @@ Complaints::Place place_of(const Token& token) {
 }
 
 Complaints::Place place_of(std::span<const Token> tokens) {
+    assert(!tokens.empty());
     const Token& last = tokens.back();
     return {tokens.front().begin, last.begin + std::size_t{last.bytes} - tokens.front().begin};
 }

@@ -26,7 +26,8 @@ public:
         std::size_t offset = 0;
         std::size_t bytes = 0; ///< under the caret; 0 marks the place alone
     };
-    void add(Place place, std::string message, std::string hint = {});
+    /// The code is a literal: it must outlive the diagnostics. Codes and their examples: docs/language.md.
+    void add(std::string_view code, Place place, std::string message, std::string hint = {});
 
     [[nodiscard]] bool empty() const { return noted_.empty(); }
     /// The line of a byte, from 1. Cost: logarithmic after the first call.
@@ -36,8 +37,9 @@ public:
 
 private:
     struct Note {
+        std::string_view code;
         Place place;
-        std::size_t order; ///< of arrival, to keep equals in order
+        std::size_t order; ///< number of the complaint as it came, to keep those at one place in order
         std::string message;
         std::string hint;
     };

@@ -3,6 +3,7 @@
 #include "internode/grammar/lexing/statement.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace internode {
@@ -76,6 +77,7 @@ private:
 
     /// The statement has the kept tokens up to `last`; the next begins there.
     void finish(std::size_t last) {
+        assert(last >= current_.first && last <= kept_.size());
         current_.last = last;
         if (last > current_.first) extents_.push_back(current_);
         current_ = {last, last, std::nullopt};
@@ -108,6 +110,7 @@ public:
             tokens_[i].kind = TokenKind::Unbalanced;
             return;
         }
+        assert(round_ + square_ == open_.size());
         while (is_round(open_.back()) != round) drop_last();
         pop();
     }
@@ -118,6 +121,7 @@ public:
 private:
     [[nodiscard]] bool is_round(std::size_t i) const { return text_[tokens_[i].begin] == '('; }
     void pop() {
+        assert(!open_.empty());
         --(is_round(open_.back()) ? round_ : square_);
         open_.pop_back();
     }

@@ -4,6 +4,8 @@
 
 #include "internode/text/diagnostic.h"
 
+#include <cassert>
+
 #include <fmt/format.h>
 
 namespace internode {
@@ -18,6 +20,7 @@ constexpr std::size_t searched_name = 3;
 } // namespace
 
 std::string SymbolHints::near_name(std::string_view name) {
+    assert(!name.empty());
     std::string other(name);
     other.front() = static_cast<char>(other.front() ^ 0x20); // the cases of an ASCII letter differ in this bit only
     if (alphabet_.find(other)) return other;

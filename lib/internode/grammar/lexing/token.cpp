@@ -5,6 +5,9 @@
 
 #include "internode/grammar/lexing/token.h"
 
+#include <cassert>
+#include <limits>
+
 #include <tao/pegtl.hpp>
 
 namespace internode {
@@ -84,6 +87,7 @@ struct Action<Broken> : Keep<TokenKind::Broken> {};
 } // namespace
 
 std::vector<Token> tokenize(std::string_view text) {
+    assert(text.size() <= std::numeric_limits<std::uint32_t>::max());
     Tokens tokens{text.data(), {}};
     pegtl::memory_input<pegtl::tracking_mode::lazy> input(text.data(), text.data() + text.size(), "");
     pegtl::parse<Source, Action>(input, tokens);

@@ -2,6 +2,8 @@
 
 #include "internode/grammar/lexing/token_split.h"
 
+#include <cassert>
+
 namespace internode {
 
 std::vector<std::size_t> find_outside(std::span<const Token> tokens, std::string_view text, char mark) {
@@ -19,6 +21,7 @@ std::vector<std::span<const Token>> split_at(std::span<const Token> tokens, cons
     std::vector<std::span<const Token>> parts;
     std::size_t first = 0;
     for (const std::size_t index : indices) {
+        assert(index >= first && index < tokens.size());
         parts.push_back(tokens.subspan(first, index - first));
         first = index + 1;
     }

@@ -5,6 +5,7 @@
 #include "internode/grammar/lexing/limits.h"
 
 #include <algorithm>
+#include <cassert>
 #include <unordered_set>
 
 #include <fmt/format.h>
@@ -34,18 +35,21 @@ public:
     }
 
 private:
-    [[nodiscard]] const Token& token() const { return tokens_[index_]; }
+    [[nodiscard]] const Token& token() const {
+        assert(index_ < tokens_.size());
+        return tokens_[index_];
+    }
     [[nodiscard]] bool at_mark(char mark) const {
         return index_ < tokens_.size() && inside_ == 0 && is_mark(token(), context_.text, mark);
     }
     [[nodiscard]] std::size_t place() const { return token().begin + inside_; }
 
-    void refuse(Complaints::Place where, std::string message, std::string hint = {}) {
-        complaints_.add(where, std::move(message), std::move(hint));
+    void refuse(std::string_view code, Complaints::Place where, std::string message, std::string hint = {}) {
+        complaints_.add(code, where, std::move(message), std::move(hint));
         result_.damaged = true;
     }
-    void stop(Complaints::Place where, std::string message, std::string hint = {}) {
-        refuse(where, std::move(message), std::move(hint));
+    void stop(std::string_view code, Complaints::Place where, std::string message, std::string hint = {}) {
+        refuse(code, where, std::move(message), std::move(hint));
         stopped_ = true;
     }
     void next_token() {
@@ -85,7 +89,7 @@ private:
     void read_symbol(std::string_view name) {
         const std::size_t offset = place();
         if (name.size() > max_name_bytes) {
-            stop({offset, name.size()}, too_long_symbol(name));
+            stop("word.symbol-too-long", {offset, name.size()}, too_long_symbol(name));
             return;
         }
         if (const auto symbol = context_.symbols.find(name))
@@ -98,7 +102,7 @@ private:
     void read_zero() {
         if (context_.place == WordPlace::Rule) {
             if (!zero_refused_)
-                refuse({place(), 1}, "`0` may stand in words only, never in a rule",
+                refuse("word.zero-in-rule", {place(), 1}, "`0` may stand in words only, never in a rule",
                        "an interval of length zero comes from the axiom and stays as it is");
             zero_refused_ = true;
         } else {
@@ -108,6 +112,7 @@ private:
     }
 
     [[nodiscard]] std::size_t allowed() const {
+        assert(context_.used <= max_word_letters);
         return std::min(context_.max_letters, max_word_letters - context_.used);
     }
 
@@ -119,7 +124,7 @@ private:
 
     void push(Symbol symbol, Complaints::Place where) {
         if (result_.word.size() >= allowed())
-            stop(where, too_many_letters());
+            stop("word.too-long", where, too_many_letters());
         else
             result_.word.push_back(symbol);
     }
@@ -128,18 +133,18 @@ private:
         if (is_digit(run.front())) {
             const auto other = std::ranges::find_if_not(run, is_digit);
             const std::string_view digits = run.substr(0, static_cast<std::size_t>(other - run.begin()));
-            stop({place(), digits.size()}, fmt::format("{} is no letter of a word", quoted(digits)),
+            stop("word.number", {place(), digits.size()}, fmt::format("{} is no letter of a word", quoted(digits)),
                  fmt::format("to repeat a letter write `L^{}`; `0` is the interval of length zero",
                              digits.substr(0, 20)));
             return;
         }
-        stop({place(), 1}, fmt::format("{} follows no symbol", quoted(run.substr(0, 1))),
+        stop("word.no-symbol", {place(), 1}, fmt::format("{} follows no symbol", quoted(run.substr(0, 1))),
              "a symbol is a letter, then digits, `_` or `'`");
     }
 
     void open() {
         if (group_) {
-            stop({place(), 1}, "parentheses inside parentheses",
+            stop("word.nested-parentheses", {place(), 1}, "parentheses inside parentheses",
                  "write the word with one level; `ring` makes an axiom circular without parentheses");
             return;
         }
@@ -149,12 +154,12 @@ private:
 
     void close() {
         if (!group_) {
-            stop({place(), 1}, "`)` was never opened");
+            stop("grammar.unbalanced", {place(), 1}, "`)` was never opened");
             return;
         }
         const std::size_t opening = tokens_[group_->token].begin;
         if (group_->token + 1 == index_) {
-            stop({opening, place() + 1 - opening}, "empty parentheses");
+            stop("word.empty-parentheses", {opening, place() + 1 - opening}, "empty parentheses");
             return;
         }
         const Group group = *group_;
@@ -165,7 +170,7 @@ private:
         } else if (context_.place == WordPlace::Axiom && group.token == 0 && index_ == tokens_.size()) {
             result_.ends = Ends::Circular;
         } else {
-            stop({opening, 1}, "parentheses without a power",
+            stop("word.parentheses-without-power", {opening, 1}, "parentheses without a power",
                  context_.place == WordPlace::Axiom
                      ? "`(L S)^2` repeats; parentheses round the whole word make it circular"
                      : "write `(L S)^2`, or leave the parentheses out");
@@ -178,7 +183,7 @@ private:
         const Complaints::Place caret{place(), 1};
         next_token();
         if (index_ >= tokens_.size() || token().kind != TokenKind::Run || !is_digit(context_.text[token().begin])) {
-            stop(caret, "`^` without a count", "write `L^3` or `(L S)^3`");
+            stop("word.power-without-count", caret, "`^` without a count", "write `L^3` or `(L S)^3`");
             return;
         }
         const std::string_view run = text_of(token(), context_.text);
@@ -187,7 +192,7 @@ private:
         repeat(start, digits);
         if (stopped_) return;
         advance(digits.size());
-        if (at_mark('^')) stop({place(), 1}, "a power of a power", "write one power");
+        if (at_mark('^')) stop("word.power-of-power", {place(), 1}, "a power of a power", "write one power");
     }
 
     void repeat(std::size_t start, std::string_view digits) {
@@ -195,13 +200,14 @@ private:
         const std::uint64_t count = value_of(digits);
         const std::size_t letters = result_.word.size() - start;
         if (count == 0) {
-            stop(where, "a power must be at least 1");
+            stop("word.power-of-zero", where, "a power must be at least 1");
             return;
         }
+        assert(start <= allowed());
         // An unknown symbol has no letters here, but would have had some: the count alone is bounded as well.
         const std::uint64_t room = allowed() - start;
         if (count > room / std::max<std::size_t>(letters, 1)) {
-            stop(where, "this power makes " + too_many_letters());
+            stop("word.power-too-large", where, "this power makes " + too_many_letters());
             return;
         }
         result_.word.resize(start + letters * count);
@@ -227,16 +233,19 @@ private:
             stopped_ = true;
             return;
         case TokenKind::Unbalanced:
-            stop(where, fragment == "(" ? "`(` is never closed" : "`)` was never opened");
+            stop("grammar.unbalanced", where, fragment == "(" ? "`(` is never closed" : "`)` was never opened");
             return;
         case TokenKind::Epsilon:
-            stop(where, "an interval cannot become nothing", "a rule has at least one symbol after `->`");
+            stop("rule.empty-successor", where, "an interval cannot become nothing",
+                 "a rule has at least one symbol after `->`");
             return;
         case TokenKind::Arrow:
-            stop(where, "a second `->` in one statement", "begin each rule on a line of its own, or after `,`");
+            stop("rule.second-arrow", where, "a second `->` in one statement",
+                 "begin each rule on a line of its own, or after `,`");
             return;
         default:
-            stop(where, fmt::format("{} has no meaning in a word", quoted(fragment)), hint_for(fragment));
+            stop("word.foreign-sign", where, fmt::format("{} has no meaning in a word", quoted(fragment)),
+                 hint_for(fragment));
         }
     }
 
@@ -249,23 +258,23 @@ private:
 
     void finish() {
         if (group_) {
-            refuse({tokens_[group_->token].begin, 1}, "`(` is never closed");
+            refuse("grammar.unbalanced", {tokens_[group_->token].begin, 1}, "`(` is never closed");
             return;
         }
         if (!result_.word.empty() || !result_.unknown.empty() || result_.damaged) return;
-        refuse({tokens_.front().begin, 1}, "a word without letters");
+        refuse("word.empty", {tokens_.front().begin, 1}, "a word without letters");
     }
 
     struct Group {
         std::size_t token = 0;   ///< index of `(`
-        std::size_t letters = 0; ///< of the word before it
+        std::size_t letters = 0; ///< letters of the word before the parenthesis
     };
 
     std::span<const Token> tokens_;
     const WordContext& context_;
     Complaints& complaints_;
     ReadWord result_;
-    std::size_t index_ = 0;  ///< of the token
+    std::size_t index_ = 0;  ///< the token at hand
     std::size_t inside_ = 0; ///< bytes of the token read already
     std::optional<Group> group_;
     std::unordered_set<std::string_view> seen_; ///< names that are no symbols
@@ -279,12 +288,14 @@ SymbolTable::SymbolTable(const Alphabet& alphabet)
     : alphabet_(&alphabet) {
     for (std::size_t i = 0; i < alphabet.size(); ++i) {
         const std::string& name = alphabet.names()[i];
+        assert(!name.empty());
         const auto first = static_cast<unsigned char>(name.front());
         if (name.size() == 1 && first < single_.size()) single_[first] = to_symbol(i);
     }
 }
 
 std::optional<Symbol> SymbolTable::find(std::string_view name) const {
+    assert(!name.empty());
     const auto first = static_cast<unsigned char>(name.front());
     if (name.size() == 1 && first < single_.size()) return single_[first];
     return alphabet_->find(name);
@@ -302,6 +313,7 @@ std::string too_long_symbol(std::string_view name) {
 }
 
 ReadWord read_word(std::span<const Token> tokens, const WordContext& context, Complaints& complaints) {
+    assert(!tokens.empty());
     return WordReader(tokens, context, complaints).read();
 }
 

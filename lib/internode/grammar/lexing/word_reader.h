@@ -41,7 +41,7 @@ struct WordContext {
     std::string_view text;
     const SymbolTable& symbols;
     WordPlace place = WordPlace::Axiom;
-    std::size_t max_letters = 0; ///< of this word
+    std::size_t max_letters = 0; ///< most letters of this word
     std::size_t used = 0;        ///< letters of the words before it, of max_word_letters in all
 };
 

@@ -5,6 +5,7 @@
 #include "internode/grammar/lexing/limits.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include <fmt/format.h>
 
@@ -23,23 +24,24 @@ public:
         , scope_(context.definitions) {}
 
     std::vector<CycleItem> read() {
-        if (tokens_.size() == 1) refuse(place_of(tokens_), "an empty cycle", cycle_hint);
+        if (tokens_.size() == 1) refuse("cycle.empty", place_of(tokens_), "an empty cycle", cycle_hint);
         while (sound_ && index_ < tokens_.size()) read_item();
         return std::move(items_);
     }
 
 private:
-    void refuse(Complaints::Place place, std::string message, std::string_view hint = {}) {
-        context_.complaints.add(place, std::move(message), std::string(hint));
+    void refuse(std::string_view code, Complaints::Place place, std::string message, std::string_view hint = {}) {
+        context_.complaints.add(code, place, std::move(message), std::string(hint));
         sound_ = false;
     }
 
     void read_item() {
+        assert(index_ < tokens_.size());
         const Token& token = tokens_[index_++];
         const std::string_view name = text_of(token, context_.text);
         if (token.kind != TokenKind::Run) {
             if (token.kind != TokenKind::Broken)
-                refuse(place_of(token), fmt::format("{} is no table", quoted(name)), cycle_hint);
+                refuse("cycle.no-table", place_of(token), fmt::format("{} is no table", quoted(name)), cycle_hint);
             sound_ = false;
             return;
         }
@@ -53,7 +55,8 @@ private:
         const std::size_t end = tokens_[index_ - 1].begin + tokens_[index_ - 1].bytes;
         item.place = SourcePlace{token.begin, end - token.begin};
         if (items_.size() == max_cycle_items)
-            refuse(place_of(token), fmt::format("more than {} tables in a cycle", max_cycle_items));
+            refuse("cycle.too-many-items", place_of(token),
+                   fmt::format("more than {} tables in a cycle", max_cycle_items));
         else
             items_.push_back(std::move(item));
     }
@@ -65,13 +68,14 @@ private:
         }
         const std::string_view name = text_of(token, context_.text);
         const std::string near = did_you_mean(name, tables_);
-        refuse(place_of(token), fmt::format("no table {}", quoted(name)),
+        refuse("cycle.no-table", place_of(token), fmt::format("no table {}", quoted(name)),
                near.empty() ? fmt::format("the first table is `{}`", tables_.front())
                             : fmt::format("did you mean `{}`?", near));
     }
 
     /// After `^`: a run, or parentheses.
     std::optional<Expression> read_count() {
+        assert(index_ < tokens_.size());
         const Token& caret = tokens_[index_++];
         const std::size_t first = index_;
         std::size_t depth = 0;
@@ -85,7 +89,7 @@ private:
         const bool is_count =
             !count.empty() && (count.front().kind == TokenKind::Run || is_mark(count.front(), context_.text, '('));
         if (!is_count) {
-            refuse(place_of(caret), "`^` without a count", cycle_hint);
+            refuse("word.power-without-count", place_of(caret), "`^` without a count", cycle_hint);
             return std::nullopt;
         }
         ExpressionContext expressions = context_.expressions(scope_);
@@ -96,7 +100,8 @@ private:
 
     void check_literal(const Rational& count, std::span<const Token> tokens) {
         if (count.get_den() != 1 || sgn(count) < 0)
-            refuse(place_of(tokens), fmt::format("{} is no count", to_string(count)), "a count is 0, 1, 2, ...");
+            refuse("cycle.no-count", place_of(tokens), fmt::format("{} is no count", to_string(count)),
+                   "a count is 0, 1, 2, ...");
     }
 
     std::span<const Token> tokens_;

@@ -14,7 +14,7 @@
 
 namespace internode {
 
-/// Of a statement that begins with `cycle`. After a complaint items may lack.
+/// The cycle of a statement that begins with `cycle`. After a complaint items may lack.
 [[nodiscard]] std::vector<CycleItem> read_cycle_items(const Statement& statement,
                                                       const std::vector<std::string>& tables, PointContext& context);
 

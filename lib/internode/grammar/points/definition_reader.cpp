@@ -4,6 +4,8 @@
 
 #include "internode/grammar/lexing/limits.h"
 
+#include <cassert>
+
 #include <fmt/format.h>
 
 namespace internode {
@@ -35,13 +37,14 @@ public:
         const std::string_view name = text_of(head, context_.text);
         if (!check_name(name, place_of(head), context_.complaints)) return;
         if (context_.definitions.find(name).kind != NameMeaning::Kind::Unknown) {
-            refuse(place_of(head), fmt::format("a second definition of {}", quoted(name)),
+            refuse("definition.second", place_of(head), fmt::format("a second definition of {}", quoted(name)),
                    fmt::format("the first is in line {}",
                                context_.complaints.line_of(*context_.definitions.announced(name))));
             return;
         }
         if (context_.definitions.size() == max_definitions) {
-            refuse(place_of(head), fmt::format("more than {} constants and functions", max_definitions));
+            refuse("definition.too-many", place_of(head),
+                   fmt::format("more than {} constants and functions", max_definitions));
             return;
         }
         if (equals_ > 1) read_formals(tokens_.subspan(1, equals_ - 1));
@@ -52,8 +55,8 @@ public:
     }
 
 private:
-    void refuse(Complaints::Place place, std::string message, std::string_view hint = {}) {
-        context_.complaints.add(place, std::move(message), std::string(hint));
+    void refuse(std::string_view code, Complaints::Place place, std::string message, std::string_view hint = {}) {
+        context_.complaints.add(code, place, std::move(message), std::string(hint));
     }
 
     /// `(s, t)`, with the parentheses.
@@ -62,14 +65,15 @@ private:
             const Token& formal = tokens[i + 1];
             const bool begins_well = is_mark(tokens[i], context_.text, i == 0 ? '(' : ',');
             if (!begins_well || formal.kind != TokenKind::Run) {
-                refuse(place_of(tokens), "the parameters of a function are names", "write `f(s, t) = ...`");
+                refuse("definition.parameters", place_of(tokens), "the parameters of a function are names",
+                       "write `f(s, t) = ...`");
                 scope_.accept(UnknownNames::AreFormals);
                 return;
             }
             read_formal(formal);
         }
         if (scope_.formals().size() > max_parameters)
-            refuse(place_of(tokens),
+            refuse("definition.too-many-parameters", place_of(tokens),
                    fmt::format("a function of {} parameters, more than {}", scope_.formals().size(), max_parameters));
     }
 
@@ -78,14 +82,16 @@ private:
         if (!check_name(name, place_of(token), context_.complaints))
             scope_.accept(UnknownNames::AreFormals);
         else if (!scope_.add_formal(name))
-            refuse(place_of(token), fmt::format("a second parameter {}", quoted(name)), "all names differ");
+            refuse("name.second-parameter", place_of(token), fmt::format("a second parameter {}", quoted(name)),
+                   "all names differ");
     }
 
     /// After a complaint the number 0, so that the name is known.
     Expression read_value() {
+        assert(equals_ > 0 && equals_ < tokens_.size());
         const Tokens value = tokens_.subspan(equals_ + 1);
         if (value.empty()) {
-            refuse(place_of(tokens_[equals_]), "no value after `=`", "write `t = 1/2`");
+            refuse("definition.no-value", place_of(tokens_[equals_]), "no value after `=`", "write `t = 1/2`");
         } else {
             ExpressionContext expressions = context_.expressions(scope_);
             if (auto read = read_expression(value, Wanted::Number, expressions)) return *std::move(read);

@@ -4,6 +4,7 @@
 
 #include "internode/grammar/lexing/limits.h"
 
+#include <cassert>
 #include <optional>
 #include <unordered_map>
 
@@ -29,7 +30,8 @@ Symbol LetterTable::use(std::string_view name, std::size_t parameters, Use use, 
     const std::string full = key(name, parameters);
     std::optional<Symbol> symbol = letters_.find(full);
     if (!symbol && letters_.size() >= max_point_letters) {
-        if (!full_) complaints_.add(place, fmt::format("more than {} letters", max_point_letters));
+        if (!full_)
+            complaints_.add("module.too-many-letters", place, fmt::format("more than {} letters", max_point_letters));
         full_ = true;
         return to_symbol(0);
     }
@@ -38,6 +40,7 @@ Symbol LetterTable::use(std::string_view name, std::size_t parameters, Use use, 
         arity_.push_back(static_cast<std::uint32_t>(parameters));
         origins_.push_back({place, false, name});
     }
+    assert(arity_.size() == letters_.size() && origins_.size() == letters_.size());
     Origin& origin = origins_[to_index(*symbol)];
     origin.made = origin.made || use == Use::Made;
     return *symbol;
@@ -55,7 +58,7 @@ void LetterTable::finish() {
         const auto other = made.find(origins_[i].name);
         if (origins_[i].made || other == made.end()) continue;
         const Origin& maker = origins_[other->second];
-        complaints_.add(origins_[i].place,
+        complaints_.add("module.other-parameters", origins_[i].place,
                         fmt::format("{} has {} here, but {} where it is made, as in line {}", quoted(maker.name),
                                     parameters_of(arity_[i]), parameters_of(arity_[other->second]),
                                     complaints_.line_of(maker.place.offset)),

@@ -49,9 +49,9 @@ private:
     Alphabet letters_;
     std::vector<std::uint32_t> arity_;
     struct Origin {
-        Complaints::Place place; ///< of the first use
+        Complaints::Place place; ///< place of the first use
         bool made = false;
-        std::string_view name; ///< in the text
+        std::string_view name; ///< the letter as the text has it
     };
     std::vector<Origin> origins_;
     bool full_ = false; ///< a complaint about too many letters was made

@@ -8,6 +8,7 @@
 #include "internode/text/diagnostic.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include <fmt/format.h>
 
@@ -41,15 +42,15 @@ public:
             check_count();
             if (!result_.damaged) read_item();
         }
-        if (!result_.damaged && depth_ > 0) refuse({open_, 1}, "`[` is never closed here");
+        if (!result_.damaged && depth_ > 0) refuse("module.branch-unbalanced", {open_, 1}, "`[` is never closed here");
         return std::move(result_);
     }
 
 private:
     using Place = Complaints::Place;
 
-    void refuse(Place place, std::string message, std::string_view hint = {}) {
-        complaints_.add(place, std::move(message), std::string(hint));
+    void refuse(std::string_view code, Place place, std::string message, std::string_view hint = {}) {
+        complaints_.add(code, place, std::move(message), std::string(hint));
         result_.damaged = true;
     }
 
@@ -57,7 +58,7 @@ private:
         const bool is_pattern = where_ == ModulePlace::Pattern;
         const std::size_t limit = is_pattern ? max_predecessor_modules : max_point_modules;
         if (result_.modules.size() == limit)
-            refuse(cursor_.place(),
+            refuse("module.too-many", cursor_.place(),
                    fmt::format("more than {} modules {}", limit, is_pattern ? "before the arrow" : "in one grammar"));
     }
 
@@ -68,7 +69,7 @@ private:
             read_query();
         } else if (cursor_.at_mark('#')) {
             keep_mark();
-            if (cursor_.at_mark('(')) refuse(cursor_.place(), "`#` has no parameters");
+            if (cursor_.at_mark('(')) refuse("module.marker-with-parameters", cursor_.place(), "`#` has no parameters");
         } else if (cursor_.at_mark('[') || cursor_.at_mark(']')) {
             read_bracket();
         } else {
@@ -83,26 +84,29 @@ private:
 
     void read_bracket() {
         if (where_ == ModulePlace::Pattern) {
-            refuse(cursor_.place(), "a bracket before the arrow",
+            refuse("module.bracket-before-arrow", cursor_.place(), "a bracket before the arrow",
                    "contexts step over branches by themselves; brackets are never rewritten");
             return;
         }
         const bool opens = cursor_.at_mark('[');
         if (!opens && depth_ == 0) {
-            refuse(cursor_.place(), "`]` was never opened here");
+            refuse("module.branch-unbalanced", cursor_.place(), "`]` was never opened here");
             return;
         }
         if (opens && depth_ == 0) open_ = cursor_.offset();
         depth_ = opens ? depth_ + 1 : depth_ - 1;
         keep_mark();
-        if (cursor_.at_mark('^')) refuse(cursor_.place(), "a power of a bracket", "a power repeats one module: `X^3`");
+        if (cursor_.at_mark('^'))
+            refuse("module.power-of-bracket", cursor_.place(), "a power of a bracket",
+                   "a power repeats one module: `X^3`");
     }
 
     void read_query() {
         const std::size_t begin = cursor_.offset();
         const bool is_joined = cursor_.is_joined() && cursor_.is_run(1) && symbol_length(cursor_.text_ahead(1)) > 0;
         if (!is_joined) {
-            refuse(cursor_.place(), "`?` without a letter", "a query module is written `?Q(x)`");
+            refuse("module.query-without-letter", cursor_.place(), "`?` without a letter",
+                   "a query module is written `?Q(x)`");
             return;
         }
         cursor_.next();
@@ -114,18 +118,19 @@ private:
         const std::string_view run = cursor_.rest();
         const std::size_t length = symbol_length(run);
         if (length == 0) {
-            refuse(cursor_.place(), fmt::format("{} is no module", quoted(run)),
+            refuse("module.no-module", cursor_.place(), fmt::format("{} is no module", quoted(run)),
                    "a letter, then digits, `_` or `'`, then parameters: `P(v)`");
             return;
         }
         if (const std::string word = near_statement_word(run); !word.empty()) {
-            refuse(cursor_.place(), fmt::format("{} begins a statement", quoted(word)),
+            refuse("module.statement-word", cursor_.place(),
+                   fmt::format("{} begins a statement", internode::quoted(word)),
                    "a successor that the line before lacks is written `.`; letters may stand apart");
             return;
         }
         const std::size_t end = cursor_.offset() + length;
         if (length > max_name_bytes) {
-            refuse({begin, end - begin}, too_long_symbol(run.substr(0, length)));
+            refuse("word.symbol-too-long", {begin, end - begin}, too_long_symbol(run.substr(0, length)));
             return;
         }
         RawModule module{text_.substr(begin, end - begin), {begin, end - begin}, {}, 1};
@@ -147,6 +152,7 @@ private:
     }
 
     void read_parameters(RawModule& module) {
+        assert(cursor_.at_mark('('));
         const std::size_t open = cursor_.index();
         const std::size_t close = find_close(open);
         std::size_t first = open + 1;
@@ -155,7 +161,7 @@ private:
             const bool ends = depth == 0 && (i == close || is_mark(tokens_[i], text_, ','));
             if (ends && i == first) {
                 const bool is_empty = i == close && first == open + 1;
-                refuse(place_of(tokens_.subspan(i - 1, 2)), "no parameter here",
+                refuse("module.no-parameter", place_of(tokens_.subspan(i - 1, 2)), "no parameter here",
                        is_empty ? "a module without parameters has no parentheses: `E`" : "");
                 return;
             }
@@ -168,7 +174,7 @@ private:
         }
         module.place.bytes = tokens_[close].begin + 1 - module.place.offset;
         if (module.parameters.size() > max_parameters)
-            refuse(module.place,
+            refuse("module.too-many-parameters", module.place,
                    fmt::format("a module of {} parameters, more than {}", module.parameters.size(), max_parameters));
         cursor_.move_to(tokens_[close].begin + 1);
     }
@@ -180,16 +186,17 @@ private:
         const auto other = std::ranges::find_if_not(run, [](char c) { return c >= '0' && c <= '9'; });
         const auto digits = static_cast<std::size_t>(other - run.begin());
         if (where_ == ModulePlace::Pattern) {
-            refuse(caret, "a power before the arrow", "write the modules side by side");
+            refuse("module.power-before-arrow", caret, "a power before the arrow", "write the modules side by side");
         } else if (digits == 0) {
-            refuse(caret, "`^` without a count", "write `X^3`");
+            refuse("word.power-without-count", caret, "`^` without a count", "write `X^3`");
         } else {
             module.power = count_of(run.substr(0, digits));
-            if (module.power == 0) refuse({cursor_.offset(), digits}, "a power must be at least 1");
+            if (module.power == 0)
+                refuse("word.power-of-zero", {cursor_.offset(), digits}, "a power must be at least 1");
             module.power = std::max<std::size_t>(module.power, 1);
             cursor_.advance(digits);
             if (!result_.damaged && cursor_.at_mark('^'))
-                refuse(cursor_.place(), "a power of a power", "write one power");
+                refuse("word.power-of-power", cursor_.place(), "a power of a power", "write one power");
         }
     }
 
@@ -208,17 +215,19 @@ private:
             result_.damaged = true; // complained about where the tokens are made
         } else if (kind == TokenKind::Unbalanced) {
             const bool opens = fragment == "(" || fragment == "[";
-            refuse(cursor_.place(), fmt::format("`{}` {}", fragment, opens ? "is never closed" : "was never opened"));
+            refuse("grammar.unbalanced", cursor_.place(),
+                   fmt::format("`{}` {}", fragment, opens ? "is never closed" : "was never opened"));
         } else if (kind == TokenKind::Epsilon || fragment == ".") {
-            refuse(cursor_.place(), fmt::format("{} among modules", quoted(fragment)),
+            refuse("module.empty-among-modules", cursor_.place(), fmt::format("{} among modules", quoted(fragment)),
                    "it is the empty successor and stands alone");
         } else if (kind == TokenKind::Arrow) {
-            refuse(cursor_.place(), "a second `->` in one statement",
+            refuse("rule.second-arrow", cursor_.place(), "a second `->` in one statement",
                    "begin each rule on a line of its own, or after `,`");
         } else if (fragment == "(") {
-            refuse(cursor_.place(), "parentheses without a letter", "parameters follow a letter: `P(v)`");
+            refuse("module.parentheses-without-letter", cursor_.place(), "parentheses without a letter",
+                   "parameters follow a letter: `P(v)`");
         } else {
-            refuse(cursor_.place(), fmt::format("{} is no module", quoted(fragment)),
+            refuse("module.no-module", cursor_.place(), fmt::format("{} is no module", quoted(fragment)),
                    fragment == "^" ? "a power follows a module: `X^3`" : "");
         }
     }
@@ -230,7 +239,7 @@ private:
     TokenCursor cursor_;
     RawModules result_;
     std::size_t depth_ = 0;
-    std::size_t open_ = 0; ///< of the outermost bracket
+    std::size_t open_ = 0; ///< where the outermost bracket opens
 };
 
 } // namespace

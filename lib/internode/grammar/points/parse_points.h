@@ -5,28 +5,23 @@
 
 #pragma once
 
-#include "internode/grammar/grammar_kind.h"
+#include "internode/grammar/lexing/parsed.h"
 #include "internode/grammar/points/point_grammar.h"
 #include "internode/text/diagnostic.h"
 
-#include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace internode {
 
-struct ParsedPointGrammar {
-    std::optional<PointGrammar> grammar; ///< present iff errors is empty
-    std::vector<Diagnostic> errors;      ///< in the order of their places
-};
+using ParsedPointGrammar = Parsed<PointGrammar>;
 
-/// Reads a whole text whose first statement is `points`. Never throws on any text (but std::bad_alloc). Cost: linear in
-/// the text. Limits: grammar/lexing/limits.h.
+/// Reads a whole text that must be a point grammar (grammar/parse.h reads any kind). Never throws on any text (but
+/// std::bad_alloc). Cost: linear in the text. Limits: grammar/lexing/limits.h.
 [[nodiscard]] ParsedPointGrammar parse_point_grammar(std::string_view text, std::string_view source);
 
 /// A diagnostic about a place of a grammar that has been read: with its line, column and source line.
 [[nodiscard]] Diagnostic diagnostic_at(std::string_view text, std::string_view source, const SourcePlace& place,
-                                       std::string message, std::string hint);
+                                       std::string message, std::string hint, std::string_view code = {});
 
 } // namespace internode

@@ -20,7 +20,7 @@ struct PointContext {
     LetterTable letters;
     DefinitionTable definitions;
     PointBudget budget;
-    std::size_t searches = 0; ///< for names that could be meant
+    std::size_t searches = 0; ///< searches for names that could be meant
     bool repeated = false;    ///< a power was written out
     std::size_t repeated_instructions = 0;
 

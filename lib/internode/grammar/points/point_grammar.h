@@ -12,7 +12,7 @@
 
 #pragma once
 
-#include "internode/expression/expression.h"
+#include "internode/expression/definition.h"
 #include "internode/word/symbol.h"
 
 #include <cstdint>
@@ -31,15 +31,6 @@ struct ModuleTemplate {
     friend bool operator==(const ModuleTemplate&, const ModuleTemplate&) = default;
 };
 
-/// `t = 1/2` or `f(s, t) = min(s, 1) + min(t, 1)`. Uses earlier definitions only.
-struct Definition {
-    std::string name;
-    std::vector<std::string> formals; ///< none: a constant, which may be set from outside
-    Expression value;                 ///< a number
-    IncidentalPlace place;
-    friend bool operator==(const Definition&, const Definition&) = default;
-};
-
 struct PointRule {
     std::string label; ///< may be empty
     std::vector<Symbol> left;
@@ -49,9 +40,9 @@ struct PointRule {
     std::vector<std::string> formals;
     std::optional<Expression> condition; ///< a truth
     std::vector<ModuleTemplate> successor;
-    std::optional<Expression> weight;   ///< of a stochastic rule: a number > 0
+    std::optional<Expression> weight;   ///< weight of a stochastic rule: a number > 0
     std::optional<std::uint32_t> table; ///< none: in every table
-    IncidentalPlace place;              ///< of the whole rule
+    IncidentalPlace place;              ///< place of the whole rule
     friend bool operator==(const PointRule&, const PointRule&) = default;
 };
 
@@ -71,7 +62,7 @@ struct PointInput {
 /// `q^n` in `cycle p q^n`.
 struct CycleItem {
     std::uint32_t table = 0;
-    std::optional<Expression> count; ///< of constants; none: once
+    std::optional<Expression> count; ///< how often, of constants; none: once
     IncidentalPlace place;
     friend bool operator==(const CycleItem&, const CycleItem&) = default;
 };

@@ -32,9 +32,9 @@ public:
     PointInput read() {
         const std::vector<Tokens> parts = split_at(body_, find_outside(body_, context_.text, '|'));
         if (body_.empty())
-            refuse(place_of(head_), "an empty input", input_hint);
+            refuse("input.empty", place_of(head_), "an empty input", input_hint);
         else if (parts.size() != 1 && parts.size() != 3)
-            refuse(place_of(body_), fmt::format("an input of {} parts", parts.size()), input_hint);
+            refuse("input.parts", place_of(body_), fmt::format("an input of {} parts", parts.size()), input_hint);
         else
             read_parts(parts);
         if (!scope_.formals().empty()) input_.formal = scope_.formals().front();
@@ -42,8 +42,8 @@ public:
     }
 
 private:
-    void refuse(Complaints::Place place, std::string message, std::string_view hint = {}) {
-        context_.complaints.add(place, std::move(message), std::string(hint));
+    void refuse(std::string_view code, Complaints::Place place, std::string message, std::string_view hint = {}) {
+        context_.complaints.add(code, place, std::move(message), std::string(hint));
     }
 
     void read_parts(const std::vector<Tokens>& parts) {
@@ -71,16 +71,16 @@ private:
 
     std::vector<ModuleTemplate> read_part(Tokens tokens, MayMark may_mark) {
         if (tokens.empty()) {
-            refuse(place_of(body_), "an empty part of the input", input_hint);
+            refuse("input.empty-part", place_of(body_), "an empty part of the input", input_hint);
             return {};
         }
         const auto marker = std::ranges::find_if(tokens, [this](const Token& token) { return is_marker(token); });
         if (may_mark == MayMark::No && marker != tokens.end())
-            refuse(place_of(*marker), "an end marker beside each point",
+            refuse("input.inner-marker", place_of(*marker), "an end marker beside each point",
                    "write `input # P(v) #`: one marker at each end of the word");
         std::vector<ModuleTemplate> modules = read_templates(tokens, scope_, context_);
         if (context_.complaints.empty() && !uses_point(modules))
-            refuse(place_of(tokens), "the input does not use its point",
+            refuse("input.point-unused", place_of(tokens), "the input does not use its point",
                    "the point is a name that is no constant: `input P(v)`");
         return modules;
     }

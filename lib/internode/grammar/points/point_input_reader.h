@@ -11,7 +11,7 @@
 
 namespace internode {
 
-/// Of a statement that begins with `input`. After a complaint parts may lack.
+/// The input of a statement that begins with `input`. After a complaint parts may lack.
 [[nodiscard]] PointInput read_point_input(const Statement& statement, PointContext& context);
 
 } // namespace internode

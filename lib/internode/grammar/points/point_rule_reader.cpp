@@ -7,6 +7,8 @@
 #include "internode/grammar/points/module_reader.h"
 #include "internode/grammar/points/template_reader.h"
 
+#include <cassert>
+
 #include <fmt/format.h>
 
 namespace internode {
@@ -37,19 +39,21 @@ public:
     }
 
 private:
-    void refuse(Complaints::Place place, std::string message, std::string_view hint = {}) {
-        context_.complaints.add(place, std::move(message), std::string(hint));
+    void refuse(std::string_view code, Complaints::Place place, std::string message, std::string_view hint = {}) {
+        context_.complaints.add(code, place, std::move(message), std::string(hint));
     }
     /// A formal may be missing: names without a meaning are taken for it.
-    void refuse_pattern(Complaints::Place place, std::string message, std::string_view hint = {}) {
-        refuse(place, std::move(message), hint);
+    void refuse_pattern(std::string_view code, Complaints::Place place, std::string message,
+                        std::string_view hint = {}) {
+        refuse(code, place, std::move(message), hint);
         scope_.accept(UnknownNames::AreFormals);
     }
 
     void read_left_side() {
         const std::vector<std::size_t> colons = find_outside(left_side_, context_.text, ':');
         if (colons.size() > 2) {
-            refuse_pattern(place_of(left_side_[colons[2]]), "a third `:` before the arrow", rule_hint);
+            refuse_pattern("rule.third-colon", place_of(left_side_[colons[2]]), "a third `:` before the arrow",
+                           rule_hint);
             return;
         }
         const std::vector<Tokens> parts = split_at(left_side_, colons);
@@ -67,9 +71,9 @@ private:
 
     void read_label(Tokens tokens, Complaints::Place colon) {
         if (tokens.empty()) {
-            refuse(colon, "no label before `:`", rule_hint);
+            refuse("rule.no-label", colon, "no label before `:`", rule_hint);
         } else if (tokens.size() > 1 || tokens.front().kind != TokenKind::Run) {
-            refuse(place_of(tokens), "a label is one name", rule_hint);
+            refuse("rule.label", place_of(tokens), "a label is one name", rule_hint);
         } else {
             const std::string_view name = text_of(tokens.front(), context_.text);
             if (check_name(name, place_of(tokens), context_.complaints)) rule_.label = name;
@@ -81,7 +85,8 @@ private:
         for (const RawModule& module : read_)
             if (module.parameters.empty() && context_.definitions.announced(module.letter))
                 refuse(
-                    module.place, fmt::format("{} is a constant, here a module", quoted(module.letter)),
+                    "rule.constant-as-module", module.place,
+                    fmt::format("{} is a constant, here a module", quoted(module.letter)),
                     "after a single name `:` begins the rule; a condition stands in parentheses: `E : (n > 2) -> F`");
     }
 
@@ -89,12 +94,12 @@ private:
         const std::vector<std::size_t> left = find_outside(tokens, context_.text, '<');
         const std::vector<std::size_t> right = find_outside(tokens, context_.text, '>');
         if (left.size() > 1 || right.size() > 1) {
-            refuse_pattern(place_of(tokens[left.size() > 1 ? left[1] : right[1]]),
+            refuse_pattern("rule.second-context", place_of(tokens[left.size() > 1 ? left[1] : right[1]]),
                            fmt::format("a second `{}` before the arrow", left.size() > 1 ? '<' : '>'), rule_hint);
             return;
         }
         if (!left.empty() && !right.empty() && right[0] < left[0]) {
-            refuse_pattern(place_of(tokens[right[0]]), "`>` before `<`", rule_hint);
+            refuse_pattern("rule.contexts-swapped", place_of(tokens[right[0]]), "`>` before `<`", rule_hint);
             return;
         }
         const std::size_t begin = left.empty() ? 0 : left[0] + 1;
@@ -109,11 +114,12 @@ private:
     void check_size(Tokens tokens) {
         const std::size_t modules = rule_.left.size() + rule_.predecessor.size() + rule_.right.size();
         if (modules > max_predecessor_modules && !damaged_)
-            refuse(place_of(tokens),
+            refuse("rule.too-many-modules", place_of(tokens),
                    fmt::format("{} modules before the arrow, more than {}", modules, max_predecessor_modules));
         std::size_t& used = context_.budget.modules;
         if (modules > max_point_modules - used)
-            refuse(place_of(tokens), fmt::format("more than {} modules in one grammar", max_point_modules));
+            refuse("module.too-many", place_of(tokens),
+                   fmt::format("more than {} modules in one grammar", max_point_modules));
         else
             used += modules;
     }
@@ -121,7 +127,7 @@ private:
     std::vector<Symbol> read_part(Tokens tokens, Complaints::Place near, std::string_view what) {
         std::vector<Symbol> letters;
         if (tokens.empty()) {
-            refuse_pattern(near, fmt::format("no {}", what), rule_hint);
+            refuse_pattern("rule.empty-part", near, fmt::format("no {}", what), rule_hint);
             return letters;
         }
         RawModules read = read_modules(tokens, ModulePlace::Pattern, context_.text, context_.complaints);
@@ -143,19 +149,19 @@ private:
         const std::string_view fragment = context_.text.substr(place.offset, place.bytes);
         if (tokens.size() > 1 || tokens.front().kind != TokenKind::Run || !is_name(fragment)) {
             refuse_pattern(
-                place, fmt::format("{} is no name of a parameter", quoted(fragment)),
+                "rule.no-parameter", place, fmt::format("{} is no name of a parameter", quoted(fragment)),
                 "before the arrow a parameter is a name; to compare, write a condition: `P(x) : x == 1 -> ...`");
         } else if (!check_name(fragment, place, context_.complaints)) {
             scope_.accept(UnknownNames::AreFormals);
         } else if (!scope_.add_formal(fragment)) {
-            refuse(place, fmt::format("a second parameter {}", quoted(fragment)),
+            refuse("name.second-parameter", place, fmt::format("a second parameter {}", quoted(fragment)),
                    "all names of a rule differ; to compare, write a condition: `A(x) < B(y) : x == y -> ...`");
         }
     }
 
     void read_condition(Tokens tokens, Complaints::Place colon) {
         if (tokens.empty()) {
-            refuse(colon, "no condition after `:`", rule_hint);
+            refuse("rule.no-condition", colon, "no condition after `:`", rule_hint);
             return;
         }
         ExpressionContext expressions = context_.expressions(scope_);
@@ -187,14 +193,15 @@ private:
                                                      is_mark(tokens.front(), context_.text, '.'));
         if (is_empty) return;
         if (tokens.empty())
-            refuse(arrow_, "an empty successor", "a module that vanishes becomes `.`");
+            refuse("rule.empty-successor", arrow_, "an empty successor", "a module that vanishes becomes `.`");
         else
             rule_.successor = read_templates(tokens, scope_, context_);
     }
 
     void read_weight(Tokens tokens, Complaints::Place colon) {
         if (tokens.empty()) {
-            refuse(colon, "no weight after `:`", "a condition stands before the arrow, a weight at the end");
+            refuse("rule.no-weight", colon, "no weight after `:`",
+                   "a condition stands before the arrow, a weight at the end");
             return;
         }
         ExpressionContext expressions = context_.expressions(scope_);
@@ -202,7 +209,8 @@ private:
         const bool is_literal =
             rule_.weight && rule_.weight->code.front().operation == Operation::Number && rule_.weight->code.size() == 1;
         if (is_literal && sgn(rule_.weight->numbers.front()) <= 0)
-            refuse(place_of(tokens), "a weight must be positive", "leave the rule out if it never applies");
+            refuse("rule.weight-not-positive", place_of(tokens), "a weight must be positive",
+                   "leave the rule out if it never applies");
     }
 
     Tokens left_side_;
@@ -211,13 +219,14 @@ private:
     PointContext& context_;
     NameScope scope_;
     PointRule rule_;
-    std::vector<RawModule> read_; ///< of the pattern
+    std::vector<RawModule> read_; ///< modules of the pattern
     bool damaged_ = false;        ///< modules of the pattern may lack
 };
 
 } // namespace
 
 PointRule read_point_rule(const Statement& statement, PointContext& context) {
+    assert(statement.arrow);
     return PointRuleReader(statement, context).read();
 }
 

@@ -15,7 +15,7 @@
 
 namespace internode {
 
-/// Of a statement with an arrow. After a complaint the rule may lack parts. Its table is left open.
+/// The rule of a statement with an arrow. After a complaint the rule may lack parts. Its table is left open.
 [[nodiscard]] PointRule read_point_rule(const Statement& statement, PointContext& context);
 
 } // namespace internode

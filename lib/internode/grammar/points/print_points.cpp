@@ -2,8 +2,10 @@
 
 #include "internode/grammar/points/print_points.h"
 
+#include "internode/grammar/expressions/print_expression.h"
 #include "internode/grammar/lexing/name.h"
 
+#include <cassert>
 #include <span>
 
 namespace internode {
@@ -15,7 +17,10 @@ class FormalNames {
 public:
     explicit FormalNames(std::span<const std::string> names)
         : names_(names) {}
-    const std::string& next() { return names_[used_++]; }
+    const std::string& next() {
+        assert(used_ < names_.size());
+        return names_[used_++];
+    }
 
 private:
     std::span<const std::string> names_;
@@ -107,6 +112,7 @@ std::string print_rules(const PointGrammar& grammar) {
         for (; tables < count; ++tables) text += "table " + grammar.tables[tables] + '\n';
     };
     for (const PointRule& rule : grammar.rules) {
+        assert(!rule.table || *rule.table < grammar.tables.size());
         if (rule.table) begin_tables(*rule.table + std::size_t{1});
         text += print(rule, grammar) + '\n';
     }
@@ -115,6 +121,10 @@ std::string print_rules(const PointGrammar& grammar) {
 }
 
 } // namespace
+
+std::string print(const Expression& expression, std::span<const std::string> formals, const PointGrammar& grammar) {
+    return print(expression, formals, std::span<const Definition>(grammar.definitions));
+}
 
 std::string print(const PointRule& rule, const PointGrammar& grammar) {
     FormalNames formals(rule.formals);

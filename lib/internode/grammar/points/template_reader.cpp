@@ -5,6 +5,8 @@
 #include "internode/grammar/lexing/limits.h"
 #include "internode/grammar/points/module_reader.h"
 
+#include <cassert>
+
 #include <fmt/format.h>
 
 namespace internode {
@@ -13,9 +15,12 @@ namespace {
 
 /// False after a complaint: the modules would be too many, or their expressions too long.
 bool may_repeat(const RawModule& raw, std::size_t instructions, PointContext& context) {
+    assert(raw.power >= 1 && raw.place.bytes > 0);
     std::size_t& modules = context.budget.modules;
+    assert(modules <= max_point_modules);
     if (raw.power > max_point_modules - modules) {
-        context.complaints.add(raw.place, fmt::format("more than {} modules in one grammar", max_point_modules));
+        context.complaints.add("module.too-many", raw.place,
+                               fmt::format("more than {} modules in one grammar", max_point_modules));
         return false;
     }
     modules += raw.power;
@@ -24,9 +29,11 @@ bool may_repeat(const RawModule& raw, std::size_t instructions, PointContext& co
     context.repeated_instructions += (raw.power - 1) * instructions;
     if (context.repeated_instructions > max_repeated_instructions)
         context.complaints.add(
-            raw.place, fmt::format("powers repeat more than {} operations in one grammar", max_repeated_instructions));
+            "module.too-many-repeated-operations", raw.place,
+            fmt::format("powers repeat more than {} operations in one grammar", max_repeated_instructions));
     else if (raw.power > max_line_bytes / raw.place.bytes)
-        context.complaints.add(raw.place, fmt::format("this power makes a line of more than {} bytes", max_line_bytes));
+        context.complaints.add("module.power-too-large", raw.place,
+                               fmt::format("this power makes a line of more than {} bytes", max_line_bytes));
     else
         return true;
     return false;

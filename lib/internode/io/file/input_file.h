@@ -9,7 +9,7 @@
 #pragma once
 
 #include "internode/io/file/file_error.h"
-#include "internode/io/limits.h"
+#include "internode/io/file/limits.h"
 
 #include <cstdint>
 #include <optional>

@@ -37,6 +37,11 @@ public:
     /// At the end of a line: passes the text on when there is enough of it. False once the sink has failed.
     bool end_line() {
         text_ += '\n';
+        return pass_on();
+    }
+
+    /// Within a long line: passes the text on when there is enough of it. False once the sink has failed.
+    bool pass_on() {
         constexpr std::size_t enough = std::size_t{1} << 16;
         return text_.size() < enough || flush();
     }

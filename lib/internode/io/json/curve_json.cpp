@@ -44,6 +44,18 @@ void write_lengths(JsonWriter& json, const CurveDocument& curve) {
     json.end_object();
 }
 
+void write_knots(JsonWriter& json, const CurveDocument& curve) {
+    if (!curve.origin.exact.empty()) {
+        json.key("origin").begin_object(line).key("value").number(curve.origin.value).key("exact").begin_array();
+        for (const std::string& coefficient : curve.origin.exact) json.string(coefficient);
+        json.end_array().end_object();
+    }
+    if (curve.knots.empty()) return;
+    json.key("knots").begin_array(line);
+    for (std::size_t i = 0; i < curve.knots.size() && json.good(); ++i) json.number(curve.knots[i]);
+    json.end_array();
+}
+
 void write_points(JsonWriter& json, const PointsView& points, std::size_t dimension) {
     json.key("points").begin_array();
     for (std::size_t row = 0; row < points.size() && json.good(); ++row) {
@@ -60,19 +72,39 @@ void write_weights(JsonWriter& json, const PointsView& points) {
     json.end_array();
 }
 
-} // namespace
-
-bool write_curve_json(Sink& sink, const CurveDocument& curve) {
+void require_writable(const CurveDocument& curve) {
     require_whole_rows(curve.points);
     if (curve.weighted && curve.points.dimension < 2) throw std::invalid_argument("a weight and no coordinate");
-    JsonWriter json(sink);
+}
+
+void write_one(JsonWriter& json, const CurveDocument& curve) {
     json.begin_object();
     write_head(json, curve);
     write_word(json, curve);
     write_lengths(json, curve);
+    write_knots(json, curve);
     write_points(json, curve.points, curve.points.dimension - (curve.weighted ? 1 : 0));
     if (curve.weighted) write_weights(json, curve.points);
     json.end_object();
+}
+
+} // namespace
+
+bool write_curve_json(Sink& sink, const CurveDocument& curve) {
+    require_writable(curve);
+    JsonWriter json(sink);
+    write_one(json, curve);
+    return json.finish();
+}
+
+bool write_curves_json(Sink& sink, std::span<const CurveDocument> curves) {
+    std::ranges::for_each(curves, require_writable);
+    JsonWriter json(sink);
+    json.begin_object();
+    json.key("format").string("internode-curves").key("version").integer(1);
+    json.key("curves").begin_array();
+    for (const CurveDocument& curve : curves) write_one(json, curve);
+    json.end_array().end_object();
     return json.finish();
 }
 

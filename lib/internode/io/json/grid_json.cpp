@@ -51,6 +51,36 @@ void write_lengths(JsonWriter& json, const GridDocument& grid) {
     json.end_array();
 }
 
+void write_origins(JsonWriter& json, const GridDocument& grid) {
+    if (grid.sides[0].origin.exact.empty() && grid.sides[1].origin.exact.empty()) return;
+    json.key("origin").begin_array();
+    for (const GridSide& side : grid.sides) {
+        if (side.origin.exact.empty()) {
+            json.null();
+            continue;
+        }
+        json.begin_object(line).key("value").number(side.origin.value).key("exact").begin_array();
+        for (const std::string& coefficient : side.origin.exact) json.string(coefficient);
+        json.end_array().end_object();
+    }
+    json.end_array();
+}
+
+void write_knots(JsonWriter& json, const GridDocument& grid) {
+    if (grid.sides[0].knots.empty() && grid.sides[1].knots.empty()) return;
+    json.key("knots").begin_array();
+    for (const GridSide& side : grid.sides) {
+        if (side.knots.empty()) {
+            json.null();
+            continue;
+        }
+        json.begin_array(line);
+        for (std::size_t i = 0; i < side.knots.size() && json.good(); ++i) json.number(side.knots[i]);
+        json.end_array();
+    }
+    json.end_array();
+}
+
 /// Row after row, a line for each.
 void write_points(JsonWriter& json, const GridDocument& grid) {
     json.key("points").begin_array();
@@ -75,6 +105,8 @@ bool write_grid_json(Sink& sink, const GridDocument& grid) {
     write_head(json, grid);
     write_words(json, grid);
     write_lengths(json, grid);
+    write_origins(json, grid);
+    write_knots(json, grid);
     write_points(json, grid);
     json.end_object();
     return json.finish();

@@ -18,6 +18,9 @@ struct GridSide {
     std::vector<std::string> symbols; ///< names of the letters of `word`
     WordView word;
     std::vector<CurveLength> lengths; ///< of the symbols; those without an exact value are left out
+    CurveOrigin origin;               ///< null in the file without an exact value; no key without either
+    std::vector<double>
+        knots; ///< rounded, for the eye and for a check; null in the file when empty, no key when both are
 };
 
 struct GridDocument {

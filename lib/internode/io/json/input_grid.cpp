@@ -42,15 +42,12 @@ private:
             return fields_.refuse(root, "a grid is an object, not " + std::string(root.kind()));
         for (const JsonMember& member : *root.object()) read_member(member);
         if (root.find("points") == nullptr) fields_.refuse(root, "the grid has no `points`");
-        for (const InputPolygon& side : grid_.sides)
-            if (side.knots && (side.word_text || side.word_letters))
-                fields_.refuse(*root.find("knots"), "`knots` and `word` of one side exclude each other");
         if (grid_.rational && grid_.dimension == 1)
             fields_.refuse(root, "points of a rational grid have at least one coordinate and the weight");
     }
 
     void read_member(const JsonMember& member) {
-        constexpr std::array<Key, 10> keys{{{"format", &GridReader::read_format, false},
+        constexpr std::array<Key, 11> keys{{{"format", &GridReader::read_format, false},
                                             {"version", &GridReader::read_version, false},
                                             {"generator", &GridReader::pass_over},
                                             {"degree", &GridReader::read_degrees},
@@ -58,6 +55,7 @@ private:
                                             {"rational", &GridReader::read_rational},
                                             {"word", &GridReader::read_words},
                                             {"lengths", &GridReader::read_lengths},
+                                            {"origin", &GridReader::read_origins},
                                             {"knots", &GridReader::read_knots},
                                             {"points", &GridReader::read_rows, false}}};
         if (member.key.starts_with("x-") || fields_.full()) return;
@@ -95,12 +93,16 @@ private:
     void read_words(const JsonValue& value) { read_sides(value, "word", &GridReader::read_word); }
     void read_lengths(const JsonValue& value) { read_sides(value, "lengths", &GridReader::read_side_lengths); }
 
+    void read_origins(const JsonValue& value) { read_sides(value, "origin", &GridReader::read_origin); }
+
     void read_knots(const JsonValue& value) { read_sides(value, "knots", &GridReader::read_side_knots); }
 
     void read_degree(const JsonValue& value, InputPolygon& side) { side.degree = fields_.degree(value); }
     void read_closed(const JsonValue& value, InputPolygon& side) { side.closed = fields_.boolean(value, "closed"); }
     void read_word(const JsonValue& value, InputPolygon& side) { fields_.word(value, side); }
     void read_side_lengths(const JsonValue& value, InputPolygon& side) { side.lengths = fields_.lengths(value); }
+
+    void read_origin(const JsonValue& value, InputPolygon& side) { side.origin = fields_.exact(value); }
 
     void read_side_knots(const JsonValue& value, InputPolygon& side) { side.knots = fields_.knots(value); }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A control net as a JSON file of format "internode-grid" gives it (docs/json.md): rows of points, and for each of the
-// two directions whatever the file says about degree, ends, word and lengths, or knots. Whether these fit each other
-// and two grammars is for surface/ to say.
+// two directions whatever the file says about degree, ends, word, lengths, origin and knots. Whether these fit each
+// other and two grammars is for input/ to say.
 
 #pragma once
 
@@ -18,13 +18,14 @@
 namespace internode {
 
 struct InputGrid {
-    std::string source;                  ///< for diagnostics about what stands here
-    std::size_t rows = 0;                ///< N_u >= 1
-    std::size_t columns = 0;             ///< N_v >= 1
-    std::size_t dimension = 0;           ///< 1 … max_dimension, the weight included
-    bool rational = false;               ///< the last coordinate is the weight
-    std::vector<double> points;          ///< rows · columns, row after row, all finite
-    std::array<InputPolygon, 2> sides{}; ///< u and v: degree, closed, word, lengths and knots of each; without points
+    std::string source;         ///< for diagnostics about what stands here
+    std::size_t rows = 0;       ///< N_u >= 1
+    std::size_t columns = 0;    ///< N_v >= 1
+    std::size_t dimension = 0;  ///< 1 … max_dimension, the weight included
+    bool rational = false;      ///< the last coordinate is the weight
+    std::vector<double> points; ///< rows · columns, row after row, all finite
+    std::array<InputPolygon, 2>
+        sides{}; ///< u and v: degree, closed, word, lengths, origin and knots of each; without points
 };
 
 struct ParsedGrid {

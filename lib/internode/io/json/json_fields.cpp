@@ -2,7 +2,7 @@
 
 #include "internode/io/json/json_fields.h"
 
-#include "internode/io/limits.h"
+#include "internode/io/file/limits.h"
 #include "internode/text/number.h"
 
 #include <algorithm>
@@ -51,6 +51,7 @@ void JsonFields::refuse(TextPlace place, std::string message, std::string hint) 
     if (full()) return;
     errors_.push_back(diagnostic_at(text_, place, source_, std::move(message)));
     errors_.back().hint = std::move(hint);
+    errors_.back().code = "json.unexpected";
 }
 
 void JsonFields::refuse_key(const JsonMember& member, const std::string& owner, const std::vector<std::string>& known) {
@@ -113,6 +114,12 @@ std::vector<InputNumber> JsonFields::knots(const JsonValue& value) {
     std::vector<InputNumber> knots(array->size());
     for (std::size_t i = 0; i < knots.size() && !full(); ++i) (void)length((*array)[i], knots[i]);
     return knots;
+}
+
+std::optional<InputNumber> JsonFields::exact(const JsonValue& value) {
+    InputNumber number;
+    if (!length(value, number)) return std::nullopt;
+    return number;
 }
 
 /// "3/2", 1.5, or {"exact": ["-3", "2"], …} as our own files have it.

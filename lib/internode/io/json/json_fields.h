@@ -39,6 +39,7 @@ public:
     void word(const JsonValue& value, InputPolygon& side);
     [[nodiscard]] std::vector<InputLength> lengths(const JsonValue& value);
     [[nodiscard]] std::vector<InputNumber> knots(const JsonValue& value);
+    [[nodiscard]] std::optional<InputNumber> exact(const JsonValue& value);
     /// Appends the coordinates; the first point settles the dimension.
     void point(const JsonValue& value, std::size_t& dimension, std::vector<double>& points);
 

@@ -16,6 +16,9 @@ namespace internode {
 
 namespace {
 
+/// The code of every error of a text that is no JSON, or too much of it.
+constexpr std::string_view unreadable = "json.unreadable";
+
 /// Reads bytes and says how many were taken, also when copied into the parser.
 class CountingIterator {
 public:
@@ -103,6 +106,7 @@ public:
         const bool not_finite = token.starts_with('N') || token.starts_with('I') || token.starts_with("-I") ||
                                 token.starts_with("nan") || token.starts_with("inf");
         error_ = diagnostic_at(text_, position == 0 ? 0 : position - 1, source_, explanation(exception.what()));
+        error_->code = unreadable;
         if (not_finite) error_->hint = "JSON has neither NaN nor Infinity";
         return false;
     }
@@ -182,6 +186,7 @@ private:
     /// An error at the token that begins at the cursor.
     bool refuse(std::string message) {
         error_ = diagnostic_at(text_, cursor_, source_, std::move(message));
+        error_->code = unreadable;
         return false;
     }
 
@@ -245,7 +250,11 @@ ParsedJson read_json(std::string_view text, std::string_view source, std::uint64
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     const std::size_t zero = text.find('\0'); // the parser would take it for the end of the text
-    if (zero != std::string_view::npos) return {.value = {}, .error = diagnostic_at(text, zero, source, "a byte 0")};
+    if (zero != std::string_view::npos) {
+        ParsedJson refused{.value = {}, .error = diagnostic_at(text, zero, source, "a byte 0")};
+        refused.error->code = unreadable;
+        return refused;
+    }
     std::size_t taken = 0;
     Builder builder(text, source, taken, max_values);
     nlohmann::json::sax_parse(CountingIterator(text.data(), &taken),

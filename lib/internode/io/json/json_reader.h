@@ -8,7 +8,7 @@
 
 #pragma once
 
-#include "internode/io/limits.h"
+#include "internode/io/file/limits.h"
 #include "internode/text/diagnostic.h"
 #include "internode/text/place.h"
 

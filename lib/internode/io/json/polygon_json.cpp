@@ -3,8 +3,8 @@
 #include "internode/io/polygon.h"
 
 #include "internode/curve/homogeneous.h"
+#include "internode/io/file/limits.h"
 #include "internode/io/json/json_reader.h"
-#include "internode/io/limits.h"
 #include "internode/text/number.h"
 
 #include <algorithm>
@@ -20,19 +20,22 @@ class CurveReader {
 public:
     CurveReader(std::string_view text, std::string_view source)
         : text_(text)
-        , source_(source) {
-        polygon_.source = source;
-    }
+        , source_(source) {}
 
-    ParsedPolygon read() && {
+    ParsedPolygons read() && {
         constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
         if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
         ParsedJson json = read_json(text_, source_);
-        if (!json.value) return {.polygon = {}, .errors = {std::move(*json.error)}};
-        read_root(*json.value);
-        if (errors_.empty()) return {.polygon = std::move(polygon_), .errors = {}};
+        if (!json.value) return {.polygons = {}, .errors = {std::move(*json.error)}};
+        const bool several = has_format(*json.value, "internode-curves");
+        if (several)
+            read_curves(*json.value);
+        else
+            read_one(*json.value);
+        if (!several && !polygons_.empty()) polygons_.front().line = 0;
+        if (errors_.empty()) return {.polygons = std::move(polygons_), .errors = {}};
         std::ranges::stable_sort(errors_, {}, [](const Diagnostic& d) { return std::tuple(d.line, d.column); });
-        return {.polygon = {}, .errors = std::move(errors_)};
+        return {.polygons = {}, .errors = std::move(errors_)};
     }
 
 private:
@@ -43,13 +46,39 @@ private:
         bool may_be_null = true;
     };
 
+    static bool has_format(const JsonValue& root, std::string_view name) {
+        const JsonValue* const format = root.find("format");
+        return format != nullptr && format->string() != nullptr && *format->string() == name;
+    }
+
+    /// The object of format "internode-curves": nothing but a version and its curves.
+    void read_curves(const JsonValue& root) {
+        constexpr std::array<std::string_view, 4> keys{"format", "version", "generator", "curves"};
+        for (const JsonMember& member : *root.object())
+            if (!member.key.starts_with("x-") && std::ranges::find(keys, member.key) == keys.end())
+                refuse(member.place, "a list of curves has no key `" + shortened(member.key) + '`');
+        if (const JsonValue* const version = root.find("version")) read_version(*version);
+        const JsonValue* const curves = root.find("curves");
+        if (curves == nullptr) return refuse(root, "the list has no `curves`");
+        if (curves->array() == nullptr) return refuse(*curves, "`curves` must be an array, not " + kind(*curves));
+        if (curves->array()->empty()) return refuse(*curves, "no curve");
+        for (const JsonValue& curve : *curves->array())
+            if (errors_.size() < max_polygon_errors) read_one(curve);
+    }
+
+    void read_one(const JsonValue& root) {
+        polygon_ = {};
+        polygon_.source = source_;
+        polygon_.line = root.place().line;
+        read_root(root);
+        polygons_.push_back(std::move(polygon_));
+    }
+
     void read_root(const JsonValue& root) {
         if (root.array() != nullptr) return read_points(root);
         if (root.object() == nullptr) return refuse(root, "a curve is an object or an array of points");
         for (const JsonMember& member : *root.object()) read_member(member);
         if (root.find("points") == nullptr) refuse(root, "the curve has no `points`");
-        const bool has_word = polygon_.word_text || polygon_.word_letters;
-        if (polygon_.knots && has_word) refuse(*root.find("knots"), "`knots` and `word` exclude each other");
         const JsonValue* const weights = root.find("weights");
         if (weights != nullptr && !weights->is_null() && errors_.empty() && polygon_.weights.size() != polygon_.size())
             refuse(*weights, std::to_string(polygon_.weights.size()) + " weights, but " +
@@ -57,13 +86,14 @@ private:
     }
 
     void read_member(const JsonMember& member) {
-        constexpr std::array<Key, 10> keys{{{"format", &CurveReader::read_format, false},
+        constexpr std::array<Key, 11> keys{{{"format", &CurveReader::read_format, false},
                                             {"version", &CurveReader::read_version, false},
                                             {"generator", &CurveReader::pass_over},
                                             {"degree", &CurveReader::read_degree},
                                             {"closed", &CurveReader::read_closed},
                                             {"word", &CurveReader::read_word},
                                             {"lengths", &CurveReader::read_lengths},
+                                            {"origin", &CurveReader::read_origin},
                                             {"knots", &CurveReader::read_knots},
                                             {"weights", &CurveReader::read_weights},
                                             {"points", &CurveReader::read_points, false}}};
@@ -128,6 +158,11 @@ private:
             InputLength length{{member.key, member.place}, {}};
             if (read_exact(member.value, length.coefficients)) polygon_.lengths.push_back(std::move(length));
         }
+    }
+
+    void read_origin(const JsonValue& value) {
+        InputNumber origin;
+        if (read_exact(value, origin)) polygon_.origin = std::move(origin);
     }
 
     void read_knots(const JsonValue& value) {
@@ -225,19 +260,21 @@ private:
     void refuse(const JsonValue& value, std::string message) { refuse(value.place(), std::move(message)); }
 
     void refuse(TextPlace place, std::string message) {
-        if (errors_.size() < max_polygon_errors)
-            errors_.push_back(diagnostic_at(text_, place, source_, std::move(message)));
+        if (errors_.size() >= max_polygon_errors) return;
+        errors_.push_back(diagnostic_at(text_, place, source_, std::move(message)));
+        errors_.back().code = "json.unexpected";
     }
 
     std::string_view text_;
     std::string_view source_;
-    InputPolygon polygon_;
+    InputPolygon polygon_; ///< the one that is being read
+    std::vector<InputPolygon> polygons_;
     std::vector<Diagnostic> errors_;
 };
 
 } // namespace
 
-ParsedPolygon read_polygon_json(std::string_view text, std::string_view source) {
+ParsedPolygons read_polygons_json(std::string_view text, std::string_view source) {
     return CurveReader(text, source).read();
 }
 

@@ -3,9 +3,8 @@
 #include "internode/io/json/pyramid_json.h"
 
 #include "internode/grammar/lexing/limits.h"
-#include "internode/interval/validity.h"
+#include "internode/io/file/limits.h"
 #include "internode/io/json/json_reader.h"
-#include "internode/io/limits.h"
 #include "internode/text/number.h"
 
 #include <algorithm>
@@ -92,6 +91,17 @@ void read_grammar(const JsonValue& value, InputPyramid& pyramid) {
         pyramid.axiom = InputWord{letters(member(axiom, "word")), boolean(member(axiom, "closed"), "`closed`")};
 }
 
+/// {"value", "exact": [...]}.
+InputNumber exact(const JsonValue& value) {
+    InputNumber coefficients;
+    for (const JsonValue& coefficient : array(member(value, "exact"), "`exact`")) {
+        const auto number = parse_rational(text(coefficient, "a coefficient"));
+        if (!number) refuse(coefficient, "a coefficient must be an integer or a fraction in a string");
+        coefficients.push_back(*number);
+    }
+    return coefficients;
+}
+
 /// [{"name", "length": null or {"exact": [...]}}].
 void read_lengths(const JsonValue& value, InputPyramid& pyramid) {
     for (const JsonValue& symbol : array(value, "`symbols`")) {
@@ -100,11 +110,7 @@ void read_lengths(const JsonValue& value, InputPyramid& pyramid) {
         const JsonValue& name = member(symbol, "name");
         InputLength& entry = pyramid.lengths.emplace_back();
         entry.symbol = {text(name, "`name`"), name.place()};
-        for (const JsonValue& coefficient : array(member(length, "exact"), "`exact`")) {
-            const auto number = parse_rational(text(coefficient, "a coefficient"));
-            if (!number) refuse(coefficient, "a coefficient must be an integer or a fraction in a string");
-            entry.coefficients.push_back(*number);
-        }
+        entry.coefficients = exact(length);
     }
 }
 
@@ -139,69 +145,13 @@ InputPyramid read_root(const JsonValue& root) {
     read_lengths(member(root, "symbols"), pyramid);
     read_method(root, pyramid);
     pyramid.word = {letters(member(root, "word")), boolean(member(root, "closed"), "`closed`")};
+    if (const JsonValue* const origin = root.find("origin"); origin != nullptr && !origin->is_null())
+        pyramid.origin = exact(*origin);
     pyramid.points = rows(member(root, "points"), pyramid.dimension);
     if (pyramid.points.empty()) refuse(member(root, "points"), "no point");
     for (const JsonValue& level : array(member(root, "levels"), "`levels`"))
         pyramid.levels.push_back(read_level(level, pyramid.dimension));
     return pyramid;
-}
-
-/// The word of names of the alphabet; a problem is noted for the first that is none.
-Word word_of(const std::vector<std::string>& names, const Alphabet& alphabet, std::vector<std::string>& problems) {
-    Word word;
-    for (const std::string& name : names) {
-        const auto symbol = name == "0" ? std::optional(zero_interval) : alphabet.find(name);
-        if (!symbol) {
-            problems.push_back("`" + name + "` is no symbol of the grammar");
-            return {};
-        }
-        word.push_back(*symbol);
-    }
-    return word;
-}
-
-std::optional<IntervalGrammar> grammar_of(const InputPyramid& input, std::vector<std::string>& problems) {
-    IntervalGrammar grammar;
-    grammar.name = input.name;
-    for (const InputRule& rule : input.rules) (void)grammar.alphabet.add(rule.symbol);
-    std::vector<Word> images;
-    for (const InputRule& rule : input.rules) {
-        images.push_back(word_of(rule.word, grammar.alphabet, problems));
-        if (rule.symbol == "0" || images.back().empty() || std::ranges::count(images.back(), zero_interval) > 0)
-            problems.push_back("`" + rule.symbol + "` has no rule that a grammar may have");
-    }
-    if (input.rules.empty()) problems.emplace_back("a grammar without rules");
-    if (input.axiom) {
-        Word word = word_of(input.axiom->letters, grammar.alphabet, problems);
-        if (word.empty()) problems.emplace_back("an empty axiom");
-        grammar.axiom = Axiom{std::move(word), input.axiom->closed ? Ends::Circular : Ends::Open};
-    }
-    if (!problems.empty()) return std::nullopt;
-    grammar.rules = Morphism(std::move(images));
-    return grammar;
-}
-
-/// The valid system with the lengths of the file.
-std::optional<IntervalSystem> system_of(const InputPyramid& input, std::vector<std::string>& problems) {
-    const std::optional<IntervalGrammar> grammar = grammar_of(input, problems);
-    if (!grammar) return std::nullopt;
-    const Verdict verdict = validate(*grammar);
-    if (!verdict.system) {
-        problems.emplace_back("the grammar is not valid, or not known exactly");
-        return std::nullopt;
-    }
-    std::vector<FixedLength> lengths;
-    for (const InputLength& length : input.lengths) {
-        const auto symbol = grammar->alphabet.find(length.symbol.text);
-        if (!symbol || length.coefficients.empty() || length.coefficients.size() > verdict.system->field().degree()) {
-            problems.push_back("the length of `" + length.symbol.text + "` does not belong to the grammar");
-            return std::nullopt;
-        }
-        lengths.push_back({*symbol, Number(verdict.system->field(), length.coefficients)});
-    }
-    FixedLengths fixed = with_lengths(*verdict.system, lengths);
-    for (const LengthConflict& conflict : fixed.conflicts) problems.push_back(conflict.message);
-    return std::move(fixed.system);
 }
 
 } // namespace
@@ -215,26 +165,12 @@ ParsedPyramid read_pyramid(std::string_view text, std::string_view source) {
     }
     try {
         parsed.pyramid = read_root(*json.value);
+        parsed.pyramid->source = source;
     } catch (const Fault& fault) {
         parsed.errors.push_back(diagnostic_at(text, fault.place, source, fault.message));
+        parsed.errors.back().code = "json.unexpected";
     }
     return parsed;
-}
-
-CheckedPyramid checked_pyramid(const InputPyramid& input) {
-    CheckedPyramid checked;
-    const std::optional<IntervalSystem> system = system_of(input, checked.problems);
-    if (!system) return checked;
-    CurveData data;
-    data.degree = static_cast<int>(input.degree);
-    data.ends = input.word.closed ? Ends::Circular : Ends::Open;
-    data.word = word_of(input.word.letters, system->alphabet(), checked.problems);
-    data.dimension = input.dimension;
-    data.points = input.points;
-    if (!checked.problems.empty()) return checked;
-    CheckedCurve curve = make_curve(*system, std::move(data));
-    if (!curve.curve) return {std::nullopt, std::move(curve.problems)};
-    return make_pyramid(*std::move(curve.curve), input.options, input.levels);
 }
 
 } // namespace internode

@@ -3,8 +3,8 @@
 // A pyramid as a file gives it: JSON of format "internode-pyramid" (docs/json.md), which holds grammar, lengths, coarse
 // polygon and details, and so all that a synthesis needs.
 //
-// Reading and believing are two stages: read_pyramid() has a place for whatever is no pyramid; checked_pyramid()
-// proves the grammar valid again and holds sizes against its words.
+// Reading and believing are two stages: read_pyramid() has a place for whatever is no pyramid; settle_pyramid()
+// (input/settled_pyramid.h) proves the grammar valid again and holds sizes against its words.
 
 #pragma once
 
@@ -29,15 +29,17 @@ struct InputRule {
 };
 
 struct InputPyramid {
+    std::string source; ///< for diagnostics about what stands here
     std::size_t degree = 0;
     std::string name;               ///< of the grammar
     std::vector<InputRule> rules;   ///< in the order of the file
     std::optional<InputWord> axiom; ///< of the grammar
     std::vector<InputLength> lengths;
     ReverseOptions options;
-    InputWord word;             ///< of the coarse polygon
-    std::size_t dimension = 0;  ///< 1 … max_dimension
-    std::vector<double> points; ///< of the coarse polygon, at least one row
+    InputWord word;                    ///< of the coarse polygon
+    std::optional<InputNumber> origin; ///< of its parameter; none in older files
+    std::size_t dimension = 0;         ///< 1 … max_dimension
+    std::vector<double> points;        ///< of the coarse polygon, at least one row
     std::vector<PyramidLevel> levels;
 };
 
@@ -48,8 +50,5 @@ struct ParsedPyramid {
 
 /// Never throws on any text (but std::bad_alloc). Cost: linear in the text.
 [[nodiscard]] ParsedPyramid read_pyramid(std::string_view text, std::string_view source);
-
-/// Whether it all fits. Cost: that of validate(), and linear in the details.
-[[nodiscard]] CheckedPyramid checked_pyramid(const InputPyramid& input);
 
 } // namespace internode

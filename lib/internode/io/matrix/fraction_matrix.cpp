@@ -2,8 +2,8 @@
 
 #include "internode/io/matrix/fraction_matrix.h"
 
+#include "internode/io/file/limits.h"
 #include "internode/io/file/text_buffer.h"
-#include "internode/io/limits.h"
 #include "internode/io/matrix/fraction_entry.h"
 #include "internode/text/lines.h"
 
@@ -37,7 +37,7 @@ std::vector<LinePiece> separated(std::string_view line, char separator) {
 class FractionReader {
 public:
     FractionReader(std::string_view text, std::string_view source)
-        : lines_(text, source) {}
+        : lines_(text, source, "matrix.unexpected") {}
 
     ParsedFractionMatrix read() && {
         while (lines_.errors().size() < max_polygon_errors && !full_ && lines_.next()) read_line();

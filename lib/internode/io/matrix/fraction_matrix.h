@@ -25,7 +25,7 @@ struct ParsedFractionMatrix {
 };
 
 /// All three never throw on any text (but std::bad_alloc). Cost: linear in the text, times log of a row's entries.
-/// Limits: io/limits.h.
+/// Limits: io/file/limits.h.
 [[nodiscard]] ParsedFractionMatrix read_fraction_csv(std::string_view text, std::string_view source);
 [[nodiscard]] ParsedFractionMatrix read_fraction_matrix_market(std::string_view text, std::string_view source);
 

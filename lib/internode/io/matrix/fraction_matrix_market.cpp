@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include "internode/io/limits.h"
+#include "internode/io/file/limits.h"
 #include "internode/io/matrix/fraction_entry.h"
 #include "internode/io/matrix/fraction_matrix.h"
 #include "internode/text/lines.h"
@@ -33,7 +33,7 @@ std::optional<std::uint64_t> count(std::string_view text) {
 class MatrixMarketReader {
 public:
     MatrixMarketReader(std::string_view text, std::string_view source)
-        : lines_(text, source) {}
+        : lines_(text, source, "matrix.unexpected") {}
 
     ParsedFractionMatrix read() && {
         if (read_banner() && read_sizes()) read_entries();

@@ -52,10 +52,11 @@ bool write_points(TextBuffer& text, const PointsView& points, std::span<const st
 
 } // namespace
 
-bool write_obj(Sink& sink, const PointsView& points, Ends ends, std::span<const std::string> comments) {
+bool write_obj(Sink& sink, const PointsView& points, Ends ends, std::span<const std::string> comments,
+               std::size_t before) {
     TextBuffer text(sink);
     if (!write_points(text, points, comments)) return false;
-    const auto row = [](std::size_t i) { return i; };
+    const auto row = [before](std::size_t i) { return before + i; };
     return write_polyline(text, points.size(), ends == Ends::Circular, row) && text.flush();
 }
 

@@ -340,6 +340,7 @@ private:
     void refuse(const ObjWord& word, std::string message) {
         Diagnostic diagnostic = diagnostic_at(text_, word.offset, file_.source, std::move(message));
         diagnostic.width = std::max<std::size_t>(place_of(word.text, word.text.size()).column - 1, 1);
+        diagnostic.code = "obj.unexpected";
         errors_.push_back(std::move(diagnostic));
     }
 
@@ -352,6 +353,7 @@ private:
     void add_empty_error() {
         Diagnostic diagnostic;
         diagnostic.source = file_.source;
+        diagnostic.code = "obj.empty";
         diagnostic.message = "no curve or surface of free form";
         diagnostic.hint = "they are written: cstype bspline, deg, curv or surf, parm, end";
         errors_.push_back(std::move(diagnostic));

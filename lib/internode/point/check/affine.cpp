@@ -2,7 +2,7 @@
 
 #include "internode/point/check/affine.h"
 
-#include "internode/point/check/symbolic_expression.h"
+#include "internode/expression/symbolic_value.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,9 +28,9 @@ std::optional<Symbolic> sum_of(const SymbolicValue& point) {
 
 class AffineCheck {
 public:
-    AffineCheck(const PointGrammar& grammar, std::span<const ConstantValue> constants)
+    AffineCheck(const PointGrammar& grammar, std::span<const KnownNumber> constants)
         : grammar_(grammar)
-        , reader_(grammar, constants) {}
+        , reader_({grammar.definitions, constants}) {}
 
     void modules(const std::vector<ModuleTemplate>& word, ArgumentPlace where, std::span<const Extent> extents,
                  std::span<const std::string> formals) {
@@ -149,7 +149,7 @@ const std::vector<ModuleTemplate>& word_at(const PointGrammar& grammar, const Ar
 
 } // namespace
 
-std::vector<AffineFinding> affine_findings(const PointGrammar& grammar, std::span<const ConstantValue> constants,
+std::vector<AffineFinding> affine_findings(const PointGrammar& grammar, std::span<const KnownNumber> constants,
                                            std::span<const Layout> layouts) {
     AffineCheck check(grammar, constants);
     check.axiom_and_input();
@@ -164,12 +164,19 @@ std::vector<AffineFinding> affine_findings(const PointGrammar& grammar, std::spa
 
 std::vector<AffineFinding> affine_findings(const PointSystem& system) {
     const PointGrammar& grammar = system.grammar();
-    std::vector<ConstantValue> constants;
-    for (std::uint32_t definition = 0; definition < grammar.definitions.size(); ++definition)
-        constants.push_back(system.constant(definition));
     std::vector<Layout> layouts;
     for (std::size_t pass = 0; pass <= grammar.interpretations.size(); ++pass) layouts.push_back(system.layout(pass));
-    return affine_findings(grammar, constants, layouts);
+    return affine_findings(grammar, system.scope().constants, layouts);
+}
+
+std::vector<AffineFinding> wrong_sums(const PointSystem& system) {
+    std::vector<AffineFinding> wrong = affine_findings(system);
+    std::erase_if(wrong, [&](const AffineFinding& finding) {
+        const bool unused = (finding.where.part == GrammarPart::Axiom && system.start() == PointStart::Input) ||
+                            (finding.where.part == GrammarPart::Input && system.start() == PointStart::Axiom);
+        return unused || finding.verdict != AffineVerdict::SumIsNotOne;
+    });
+    return wrong;
 }
 
 const Expression& expression_at(const PointGrammar& grammar, const ArgumentPlace& where) {

@@ -52,13 +52,17 @@ struct AffineFinding {
 
 /// One finding for each argument that is a point, in the order axiom, input, rules, interpretations. Rules that read a
 /// letter that no word has are left out. Cost: linear in the grammar, with the bounds of
-/// point/check/symbolic_expression.h.
+/// expression/symbolic_value.h.
 [[nodiscard]] std::vector<AffineFinding> affine_findings(const PointSystem& system);
 
-/// The same from the parts of a system: values of the constants by definition, and one layout for the derivation and
-/// one after each interpretation pass.
+/// The findings whose sum is not 1, of the arguments that the words of this system can have: those of the input and of
+/// the axiom only where words come from there.
+[[nodiscard]] std::vector<AffineFinding> wrong_sums(const PointSystem& system);
+
+/// All findings from the parts of a system: values of the constants by definition, and one layout for the derivation
+/// and one after each interpretation pass.
 [[nodiscard]] std::vector<AffineFinding>
-affine_findings(const PointGrammar& grammar, std::span<const ConstantValue> constants, std::span<const Layout> layouts);
+affine_findings(const PointGrammar& grammar, std::span<const KnownNumber> constants, std::span<const Layout> layouts);
 
 /// The argument that stands there. \throw std::out_of_range when none does
 [[nodiscard]] const Expression& expression_at(const PointGrammar& grammar, const ArgumentPlace& where);

@@ -3,7 +3,7 @@
 #include "internode/point/check/coverage.h"
 
 #include "internode/point/matching.h"
-#include "internode/point/module_word.h"
+#include "internode/point/start_word.h"
 
 #include <algorithm>
 #include <set>
@@ -56,9 +56,9 @@ std::vector<LetterRules> letter_rules(const PointSystem& system, Table table) {
     return letters;
 }
 
-class Exploration {
+class CoverageExploration {
 public:
-    explicit Exploration(const PointSystem& system)
+    explicit CoverageExploration(const PointSystem& system)
         : system_(system)
         , used_(system.grammar().rules.size()) {
         for (std::uint32_t table = 0; table < system.grammar().tables.size(); ++table)
@@ -214,7 +214,7 @@ Coverage coverage(const PointSystem& system) {
     const PointGrammar& grammar = system.grammar();
     const bool axiom = grammar.axiom && system.start() != PointStart::Input;
     const bool input = system.start() != PointStart::Axiom && (grammar.input || !axiom);
-    Exploration exploration(system);
+    CoverageExploration exploration(system);
     if (axiom) exploration.derive_from(axiom_word(system), 0);
     if (input)
         for (std::size_t points = 1; points <= explored_points; ++points)

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 
 #include "internode/point/compile/cell_piece.h"
+#include "internode/stencil/kernel.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace internode {
 namespace {
@@ -94,34 +96,28 @@ public:
     }
 
 private:
-    /// Whether the modules before m, up to where a word starts, have no points; none when that cannot be seen.
-    [[nodiscard]] std::optional<std::size_t> start_before(std::size_t m) const {
-        while (!starts_at(moving_.starts, m)) {
-            if (m == 0) return std::nullopt;
-            --m;
-            if (points_in(moving_.word[m]) > 0) return none;
+    /// The first module of the word that tells which modules cell m owns: the start of the word where no point stands
+    /// between, else m itself. None where it lies before the word.
+    [[nodiscard]] std::optional<std::size_t> first_told(std::size_t m) const {
+        for (std::size_t i = m;; --i) {
+            if (starts_at(moving_.starts, i)) return i;
+            if (i == 0) return std::nullopt;
+            if (points_in(moving_.word[i - 1]) > 0) return m;
         }
-        return m;
     }
 
+    /// The child of a point of module m; none where the word is too short for its piece.
     std::optional<PieceChild> cut(std::size_t m, std::size_t slot) {
         const std::size_t size = moving_.word.size();
+        const bool misses_left = m < side_ && moving_.sides.left_open;
+        const bool misses_right = m + side_ >= size && moving_.sides.right_open;
         const std::size_t begin = m > side_ ? m - side_ : 0;
+        const std::optional<std::size_t> told = first_told(m);
+        if (misses_left || misses_right || !told || *told < begin) return std::nullopt;
         const std::size_t end = std::min(size, m + side_ + 1);
-        if ((m < side_ && moving_.sides.left_open) || (m + side_ >= size && moving_.sides.right_open))
-            return std::nullopt;
-        const std::optional<std::size_t> start = start_before(m);
-        if (!start || (*start != none && *start < begin)) return std::nullopt;
-        PieceChild child;
-        child.piece.left_open = moving_.sides.left_open || begin > 0;
-        child.piece.right_open = moving_.sides.right_open || end < size;
-        child.piece.center = static_cast<std::uint32_t>(m - begin);
+        PieceChild child{piece(begin, m, end), -static_cast<std::ptrdiff_t>(slot), {}};
         child.piece.slot = static_cast<std::uint32_t>(slot);
-        for (const std::size_t at : moving_.starts)
-            if (at >= begin && at <= end) child.piece.starts.push_back(static_cast<std::uint32_t>(at - begin));
-        child.first = -static_cast<std::ptrdiff_t>(slot);
         for (std::size_t i = begin; i < end; ++i) {
-            child.piece.kinds.push_back(kinds_.of(moving_.word[i]));
             if (i < m) child.first -= static_cast<std::ptrdiff_t>(points_in(moving_.word[i]));
             for (const ExactValue& value : moving_.word[i].values)
                 if (const PointSum* sum = std::get_if<PointSum>(&value)) child.rows.push_back(row_of(*sum));
@@ -129,7 +125,19 @@ private:
         return child;
     }
 
-    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+    /// Modules begin … end - 1 of the word round module m.
+    [[nodiscard]] CellPiece piece(std::size_t begin, std::size_t m, std::size_t end) {
+        assert(begin <= m && m < end && end <= moving_.word.size());
+        CellPiece piece;
+        piece.left_open = moving_.sides.left_open || begin > 0;
+        piece.right_open = moving_.sides.right_open || end < moving_.word.size();
+        piece.center = static_cast<std::uint32_t>(m - begin);
+        for (const std::size_t at : moving_.starts)
+            if (at >= begin && at <= end) piece.starts.push_back(static_cast<std::uint32_t>(at - begin));
+        for (std::size_t i = begin; i < end; ++i) piece.kinds.push_back(kinds_.of(moving_.word[i]));
+        return piece;
+    }
+
     const Moving& moving_;
     KindTable& kinds_;
     std::size_t side_;
@@ -137,46 +145,8 @@ private:
 
 } // namespace
 
-std::size_t points_in(const ExactModule& module) {
-    const auto is_point = [](const ExactValue& value) { return std::holds_alternative<PointSum>(value); };
-    return static_cast<std::size_t>(std::ranges::count_if(module.values, is_point));
-}
-
 ExactStop too_wide() {
     return {{}, "needs more than " + std::to_string(max_row_width) + " neighbouring points for a new one"};
-}
-
-KindTable::KindTable(const PointSystem& system) {
-    for (const auto& parameters : system.layout()) {
-        std::vector<bool>& is_point = is_point_.emplace_back();
-        if (!parameters) continue;
-        for (const Extent extent : *parameters) is_point.push_back(extent > 0);
-    }
-}
-
-std::uint32_t KindTable::of(const ExactModule& module) {
-    ModuleKind kind{module.letter, {}};
-    for (const ExactValue& value : module.values)
-        if (const Rational* number = std::get_if<Rational>(&value)) kind.numbers.push_back(*number);
-    const auto [place, is_new] =
-        numbers_.try_emplace({kind.letter, kind.numbers}, static_cast<std::uint32_t>(kinds_.size()));
-    if (is_new) {
-        counts_.push_back(module.values.size() - kind.numbers.size());
-        kinds_.push_back(std::move(kind));
-    }
-    return place->second;
-}
-
-ExactModule KindTable::module(std::uint32_t kind, std::ptrdiff_t& next) const {
-    ExactModule module{kinds_[kind].letter, {}, 0};
-    auto number = kinds_[kind].numbers.begin();
-    for (const bool is_point : points_of(module.letter)) {
-        if (is_point)
-            module.values.emplace_back(PointSum{{{next++, Rational(1)}}});
-        else
-            module.values.emplace_back(*number++);
-    }
-    return module;
 }
 
 std::optional<OwnModules> own_modules(const CellPiece& piece, const KindTable& kinds) {
@@ -214,6 +184,7 @@ PieceChildren children_of(const CellPiece& piece, const PointSystem& system, Kin
 CellPiece piece_of_word(const ExactWord& word, bool ring, std::size_t module, std::uint32_t slot, std::size_t side,
                         KindTable& kinds) {
     const std::size_t n = word.size();
+    assert(module < n && slot < points_in(word[module]));
     const std::size_t before = ring ? side : std::min(side, module);
     const std::size_t after = ring ? side : std::min(side, n - 1 - module);
     CellPiece piece;

@@ -13,107 +13,14 @@
 
 #pragma once
 
+#include "internode/point/compile/compiled_grammar.h"
 #include "internode/point/compile/exact_word.h"
-#include "internode/point/module_word.h"
-#include "internode/stencil/cell_rules.h"
-#include "internode/stencil/plan.h"
+#include "internode/point/compile/start_cells.h"
 
-#include <cstddef>
-#include <cstdint>
-#include <memory>
 #include <optional>
-#include <span>
-#include <string>
 #include <vector>
 
 namespace internode {
-
-/// The word that a derivation starts with: of a polygon of so many points, or the axiom.
-struct StartWord {
-    std::optional<std::size_t> points;
-};
-
-/// A number of points whose ends do not see each other: any scheme in general.
-inline constexpr std::size_t many_points = std::size_t{1} << 20;
-
-/// Limits of compiling (point/limits.h).
-struct CompileLimits {
-    std::size_t side = max_compiled_side;
-    std::size_t states = max_compiled_states;
-    std::uint64_t work = max_compile_work; ///< as an ExactBudget counts
-};
-
-/// A module by its letter and its numbers, without its points.
-struct ModuleKind {
-    Symbol letter{};
-    std::vector<Rational> numbers;
-    friend bool operator==(const ModuleKind&, const ModuleKind&) = default;
-};
-
-class CompiledGrammar {
-public:
-    /// With exact rows; one step is one cycle.
-    [[nodiscard]] const CellAutomaton& automaton() const { return *automaton_; }
-    /// The same as a plain value.
-    [[nodiscard]] const CellRules& rules() const { return rules_; }
-    /// The state of each cell of the start word.
-    [[nodiscard]] const std::vector<std::uint32_t>& cells() const { return cells_; }
-    /// The state of a cell in the middle of a word of many points.
-    [[nodiscard]] std::optional<std::uint32_t> interior() const { return interior_; }
-
-    /// `cycles` >= 1 cycles at once, in 106 bits and rounded once; one cycle takes the exact rows. None when rows would
-    /// be wider than a kernel takes.
-    [[nodiscard]] std::optional<FusedStencils> fuse(int cycles, const std::vector<bool>& wanted) const;
-
-    /// Of the start word. \throw std::length_error for more than 2^62 points
-    [[nodiscard]] RefinementPlan plan(int cycles, const PlanOptions& options = {}) const;
-
-    /// The word whose cells have these states and these points, rows of `dimension` coordinates.
-    [[nodiscard]] ModuleWord word(std::span<const std::uint32_t> states, std::span<const double> points,
-                                  std::size_t dimension) const;
-
-    /// How large the word is after `cycles` cycles: saturating at 2^62.
-    struct WordSize {
-        std::uint64_t points = 0;
-        std::uint64_t modules = 0; ///< where points is not 0
-        std::uint64_t numbers = 0; ///< of all modules, without their points
-    };
-    [[nodiscard]] WordSize size(std::uint64_t cycles) const;
-
-    /// The word after `cycles` cycles of a start word with these points (cell_points), before any interpretation. None
-    /// when no point is left: modules without points belong to points, and only the interpreter knows them then.
-    /// \throw std::invalid_argument for another number of points, std::length_error as plan()
-    [[nodiscard]] std::optional<ModuleWord> derive(std::span<const double> points, std::size_t dimension, int cycles,
-                                                   const ApplyOptions& options = {}) const;
-
-private:
-    friend class GrammarCompiler;
-    class Fusion;
-    /// The rows of the cells round a child, over the parents round its cell.
-    struct Surroundings {
-        std::ptrdiff_t first = 0; ///< of the cells, relative to the child
-        std::vector<CellRow> rows;
-    };
-    /// The modules that a cell owns.
-    struct Emission {
-        std::vector<std::uint32_t> kinds;
-        std::size_t slot = 0; ///< which point of its module a cell is; only slot 0 owns modules
-        friend bool operator==(const Emission&, const Emission&) = default;
-    };
-
-    std::shared_ptr<const CellAutomaton> automaton_;
-    CellRules rules_;
-    std::vector<std::vector<Surroundings>> surroundings_; ///< per state, per child
-    std::vector<Emission> emissions_;                     ///< per state
-    std::vector<ModuleKind> kinds_;
-    std::vector<std::vector<bool>> is_point_; ///< per kind, per parameter
-    std::vector<std::uint32_t> cells_;
-    std::optional<std::uint32_t> interior_;
-    std::size_t fused_width_ = 2; ///< weights in a row of any number of cycles, at most
-};
-
-/// The points of all modules of a word, one after the other: those of its cells.
-[[nodiscard]] std::vector<double> cell_points(const ModuleWord& word, const PointSystem& system);
 
 struct Compilation {
     std::optional<CompiledGrammar> compiled; ///< present iff reasons is empty

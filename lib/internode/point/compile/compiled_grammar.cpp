@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 
-#include "internode/point/compile/compile.h"
+#include "internode/point/compile/compiled_grammar.h"
 
 #include "internode/algebra/double_double.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <stdexcept>
 
@@ -85,7 +86,9 @@ bool append_row(const PairRow& row, std::ptrdiff_t offset, FusedStencils& table)
     for (std::size_t k = 0; k < row.weights.size(); ++k) {
         const double weight = row.weights[k].hi;
         if (!(std::abs(weight) <= largest_weight)) return false;
+        assert(row.first >= offset);
         const auto place = static_cast<std::size_t>(row.first - offset);
+        assert(place + row.weights.size() <= table.width);
         table.weights[start + place + k] = std::abs(weight) < smallest_weight ? 0 : weight;
     }
     return true;
@@ -155,6 +158,7 @@ public:
 
     /// One cycle more, in front of the others.
     void prepend(const std::vector<bool>& met) {
+        assert(met.size() == now_.size());
         std::vector<Descendants> before(now_.size());
         for (std::size_t state = 0; state < now_.size(); ++state) {
             if (!met[state]) continue;
@@ -173,6 +177,8 @@ private:
         for (const PairRow& descendant : child.rows) {
             PairRow sum;
             const std::ptrdiff_t first = descendant.first - around.first;
+            assert(descendant.weights.empty() ||
+                   (first >= 0 && static_cast<std::size_t>(first) + descendant.weights.size() <= rows.size()));
             for (std::size_t k = 0; k < descendant.weights.size(); ++k)
                 add(sum, descendant.weights[k], rows[static_cast<std::size_t>(first) + k]);
             all.rows.push_back(without_zeros(std::move(sum)));

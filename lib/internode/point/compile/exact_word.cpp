@@ -2,10 +2,12 @@
 
 #include "internode/point/compile/exact_word.h"
 
-#include "internode/point/layouts.h"
+#include "internode/point/effective_input.h"
 #include "internode/point/matching.h"
 
 #include <algorithm>
+#include <cassert>
+#include <iterator>
 #include <stdexcept>
 
 namespace internode {
@@ -43,26 +45,30 @@ public:
         : letters_(letters_of(word))
         , sides_(sides) {}
 
+    /// `modules`: of the rule's formals, where it fits.
     [[nodiscard]] Fit fit(const PointRule& rule, std::size_t i, std::vector<std::size_t>& modules) const {
-        const std::size_t before = rule.left.size();
-        const std::size_t after = i + rule.predecessor.size() + rule.right.size();
-        const bool misses_left = before > i;
-        const bool misses_right = after > letters_.size();
-        if ((misses_left && !sides_.left_open) || (misses_right && !sides_.right_open)) return Fit::No;
-        for (std::size_t k = 0; k < before; ++k)
-            if (k + i >= before && letters_[k + i - before] != rule.left[k]) return Fit::No;
-        for (std::size_t k = 0; k < rule.predecessor.size() && i + k < letters_.size(); ++k)
-            if (letters_[i + k] != rule.predecessor[k]) return Fit::No;
-        const std::size_t right = i + rule.predecessor.size();
-        for (std::size_t k = 0; k < rule.right.size() && right + k < letters_.size(); ++k)
-            if (letters_[right + k] != rule.right[k]) return Fit::No;
-        if (misses_left || misses_right) return Fit::Unknown;
-        modules.resize(after - (i - before));
-        for (std::size_t k = 0; k < modules.size(); ++k) modules[k] = i - before + k;
-        return Fit::Yes;
+        assert(i < letters_.size());
+        bool is_certain = true;
+        modules.clear();
+        auto at = static_cast<std::ptrdiff_t>(i) - static_cast<std::ptrdiff_t>(rule.left.size());
+        for (const auto* part : {&rule.left, &rule.predecessor, &rule.right})
+            for (const Symbol letter : *part) {
+                const Fit fit = compare(letter, at);
+                if (fit == Fit::No) return Fit::No;
+                is_certain = is_certain && fit == Fit::Yes;
+                modules.push_back(static_cast<std::size_t>(at++));
+            }
+        return is_certain ? Fit::Yes : Fit::Unknown;
     }
 
 private:
+    /// One letter of a rule with the module that stands there, inside the piece or beyond.
+    [[nodiscard]] Fit compare(Symbol letter, std::ptrdiff_t at) const {
+        if (at < 0) return sides_.left_open ? Fit::Unknown : Fit::No;
+        if (at >= std::ssize(letters_)) return sides_.right_open ? Fit::Unknown : Fit::No;
+        return letters_[static_cast<std::size_t>(at)] == letter ? Fit::Yes : Fit::No;
+    }
+
     std::vector<Symbol> letters_;
     PieceSides sides_;
 };
@@ -72,7 +78,7 @@ std::variant<ExactModule, ExactStop> made_of(const ModuleTemplate& made, std::sp
                                              const PointSystem& system) {
     ExactModule module{made.letter, {}, 0};
     for (const Expression& argument : made.arguments) {
-        ExactResult result = exact_value(argument, formals, system);
+        ExactResult result = exact_value(argument, formals, system.scope());
         if (!result.value) return ExactStop{argument.place, result.reason};
         module.values.push_back(*std::move(result.value));
     }
@@ -157,7 +163,7 @@ private:
 
     std::optional<bool> condition(const PointRule& rule, const std::vector<ExactValue>& formals) {
         if (!rule.condition) return true;
-        const ExactResult result = exact_value(*rule.condition, formals, system_);
+        const ExactResult result = exact_value(*rule.condition, formals, system_.scope());
         if (!result.value) return stop(rule.condition->place, "has a condition that " + result.reason);
         return std::get<Rational>(*result.value) != 0;
     }
@@ -228,6 +234,7 @@ std::variant<ExactWord, ExactStop> exact_step(const PointSystem& system, const E
 
 PieceStep exact_piece_step(const PointSystem& system, const ExactWord& piece, PieceSides sides, std::size_t first,
                            std::size_t last, std::optional<std::uint32_t> table, ExactBudget& budget) {
+    assert(first <= last && last <= piece.size());
     const Piece place(piece, sides);
     Rewriter<Piece> rewriter(system, piece, place, table, budget);
     std::vector<ExactWord> successors(piece.size());
@@ -259,11 +266,9 @@ std::variant<ExactWord, ExactStop> exact_input(const PointSystem& system, std::s
     const std::optional<PointInput> input = effective_input(system.grammar(), system.start());
     if (!input) throw std::invalid_argument("a grammar without an input");
     ExactWord word;
-    for (std::size_t i = 0; i < count; ++i) {
-        const bool has_ends = input->has_ends;
-        const auto& part = has_ends && i == 0 ? input->first : has_ends && i + 1 == count ? input->last : input->each;
-        if (std::optional<ExactStop> stop = add_point(part, i, system, word)) return *std::move(stop);
-    }
+    for (std::size_t i = 0; i < count; ++i)
+        if (std::optional<ExactStop> stop = add_point(input_part(*input, i, count), i, system, word))
+            return *std::move(stop);
     return word;
 }
 

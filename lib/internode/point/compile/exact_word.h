@@ -9,8 +9,9 @@
 #pragma once
 
 #include "internode/algebra/rational_matrix.h"
-#include "internode/point/compile/exact_value.h"
+#include "internode/expression/exact_value.h"
 #include "internode/point/limits.h"
+#include "internode/point/point_system.h"
 
 #include <cstddef>
 #include <optional>

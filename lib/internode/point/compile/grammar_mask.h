@@ -5,14 +5,12 @@
 #pragma once
 
 #include "internode/mask/uniform_mask.h"
-#include "internode/point/compile/compile.h"
+#include "internode/point/compile/compiled_grammar.h"
+#include "internode/point/point_system.h"
 
 #include <optional>
 
 namespace internode {
-
-/// The mask of cells of one state, from their children; none where these have no weights.
-[[nodiscard]] std::optional<UniformMask> uniform_mask(const std::vector<CellChild>& children);
 
 /// The mask of a grammar whose cells far from all ends cannot be told apart; none for others.
 [[nodiscard]] std::optional<UniformMask> uniform_mask(const CompiledGrammar& compiled);

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include "internode/point/compile/compile.h"
+#include "internode/point/compile/compiled_grammar.h"
 
 #include <cstddef>
 #include <optional>

@@ -6,6 +6,7 @@
 #include "internode/point/infer/row_pattern.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdlib>
 #include <map>
 
@@ -24,6 +25,7 @@ struct RowLess {
 
 /// The row as old point 0 of its ring would see it.
 RationalRow rotated(const RationalRow& row, std::size_t by, std::size_t columns) {
+    assert(by < columns);
     RationalRow result = row;
     for (RationalEntry& entry : result) entry.column = (entry.column + columns - by) % columns;
     std::ranges::sort(result, {}, &RationalEntry::column);
@@ -62,6 +64,7 @@ struct Arc {
 };
 
 Arc shortest_arc(const RationalRow& row, std::size_t columns) {
+    assert(!row.empty() && row.back().column < columns);
     Arc arc{row.front().column, columns, false};
     std::size_t largest = 0;
     for (std::size_t i = 0; i < row.size(); ++i) {
@@ -126,6 +129,7 @@ std::optional<InferenceProblem> shape_problem(const RationalMatrix& matrix) {
 }
 
 InferenceProblem irregularity(std::vector<IrregularRow> rows, const RationalMatrix& matrix) {
+    assert(!rows.empty());
     const std::size_t first = rows.front().row + 1;
     return {std::to_string(rows.size()) + " of " + std::to_string(matrix.rows.size()) +
                 (rows.size() == 1 ? " rows breaks" : " rows break") + " the pattern of the others, row " +

@@ -3,6 +3,7 @@
 #include "internode/point/infer/production.h"
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 
 namespace internode {
@@ -13,6 +14,7 @@ constexpr std::size_t most_repeated = 3;  ///< vl, vll, vlll as the papers write
 constexpr std::size_t most_lettered = 11; ///< va … vk; the next would be vl
 
 std::string context_name(char side, std::size_t distance) {
+    assert(distance > 0);
     if (distance <= most_repeated) return "v_" + std::string(distance, side);
     return std::string{'v', '_', side} + std::to_string(distance);
 }
@@ -98,6 +100,7 @@ PointInput marked_input(Symbol point, Symbol marker) {
 } // namespace
 
 PointProduction with_shortest_contexts(std::size_t strict, std::vector<PointStencil> successor) {
+    assert(strict > 0);
     std::ptrdiff_t first = 0;
     std::ptrdiff_t last = static_cast<std::ptrdiff_t>(strict) - 1;
     for (const PointStencil& stencil : successor) {

@@ -5,6 +5,7 @@
 #include "internode/point/infer/floor_division.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <stdexcept>
 
@@ -72,6 +73,7 @@ struct Terms {
 
 ReversedLevel one_level(const Terms& terms, std::span<const double> fine, std::size_t dimension, std::ptrdiff_t phase) {
     const Ring ring(fine, dimension);
+    assert(ring.size() > 0 && ring.size() % terms.arity == 0 && "check() has seen to it");
     const std::ptrdiff_t count = ring.size() / terms.arity;
     ReversedLevel level;
     level.points.assign(static_cast<std::size_t>(count) * dimension, 0);
@@ -127,6 +129,18 @@ std::optional<std::uint64_t> points_per_coarse_point(std::size_t arity, std::uin
         factor *= arity;
     }
     return factor;
+}
+
+std::uint64_t RingSizes::nearest() const {
+    return below != 0 && (above == 0 || measured - below <= above - measured) ? below : above;
+}
+
+RingSizes ring_sizes(std::uint64_t measured, std::size_t arity, std::uint64_t levels) {
+    const std::optional<std::uint64_t> factor = points_per_coarse_point(arity, levels);
+    if (!factor) return {measured, 0, 0};
+    assert(*factor > 0);
+    const std::uint64_t below = measured / *factor * *factor;
+    return {measured, below, below + *factor};
 }
 
 } // namespace internode

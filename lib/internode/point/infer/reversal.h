@@ -40,4 +40,15 @@ struct ReversalOptions {
 /// m^levels, none beyond 2^62: numbers of points that can go so many levels down are its multiples.
 [[nodiscard]] std::optional<std::uint64_t> points_per_coarse_point(std::size_t arity, std::uint64_t levels);
 
+/// Numbers of points round a measured one that can go so many levels down; 0 where there is none.
+struct RingSizes {
+    std::uint64_t measured = 0;
+    std::uint64_t below = 0; ///< the largest that is not above `measured`
+    std::uint64_t above = 0; ///< the smallest that is larger
+    [[nodiscard]] bool exact() const { return below == measured; }
+    /// The nearer one, the smaller of two; 0 when there is none.
+    [[nodiscard]] std::uint64_t nearest() const;
+};
+[[nodiscard]] RingSizes ring_sizes(std::uint64_t measured, std::size_t arity, std::uint64_t levels);
+
 } // namespace internode

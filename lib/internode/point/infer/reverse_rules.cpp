@@ -8,6 +8,7 @@
 #include "internode/point/infer/floor_division.h"
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 
 namespace internode {
@@ -63,6 +64,7 @@ Matrix normal_equations(const Conditions& conditions) {
 }
 
 void subtract_multiple(std::vector<Rational>& row, const std::vector<Rational>& pivot, std::size_t column) {
+    assert(row.size() == pivot.size() && pivot[column] != 0);
     if (row[column] == 0) return;
     const Rational factor = row[column] / pivot[column];
     for (std::size_t i = column; i < row.size(); ++i) row[i] -= factor * pivot[i];
@@ -71,6 +73,7 @@ void subtract_multiple(std::vector<Rational>& row, const std::vector<Rational>& 
 /// A solution of the system, its last column the right side; free unknowns are 0. None when it has none.
 std::optional<std::vector<Rational>> solution(Matrix system) {
     const std::size_t unknowns = system.size();
+    assert(std::ranges::all_of(system, [&](const auto& row) { return row.size() == unknowns + 1; }));
     std::vector<std::size_t> pivot_columns;
     for (std::size_t column = 0; column < unknowns; ++column) {
         const std::size_t rank = pivot_columns.size();
@@ -126,6 +129,7 @@ Window widened(const Window& window, std::size_t wider) {
     const auto size = static_cast<std::size_t>(window.last - window.first) + 1;
     const std::size_t room = (max_reverse_window - std::min(max_reverse_window, size)) / 2;
     const auto more = static_cast<std::ptrdiff_t>(std::min(wider, room));
+    assert(size + 2 * static_cast<std::size_t>(more) <= std::max(size, max_reverse_window));
     return {window.first - more, window.last + more};
 }
 
@@ -138,6 +142,13 @@ std::optional<ReverseRule> reverse_rule(const UniformMask& mask, std::size_t wid
     if (!narrowest) return std::nullopt;
     const Window window = widened(*narrowest, wider);
     return ReverseRule{mask.arity, window.first, least_norm_weights(mask, window).value()};
+}
+
+std::optional<ReverseRule> reverse_rule_of_window(const UniformMask& mask, std::uint64_t fine_points) {
+    std::optional<ReverseRule> narrowest = reverse_rule(mask);
+    if (!narrowest || fine_points <= narrowest->weights.size()) return narrowest;
+    const std::size_t missing = static_cast<std::size_t>(fine_points) - narrowest->weights.size();
+    return reverse_rule(mask, (missing + 1) / 2);
 }
 
 Rational gain(const ReverseRule& rule) {

@@ -15,6 +15,7 @@
 #include "internode/point/infer/production.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,9 @@ struct ReverseRule {
 
 /// Fine points of a window: a wider one is not looked for.
 inline constexpr std::size_t max_reverse_window = 64;
+
+/// The rule of the narrowest window of at least `fine_points`, at most max_reverse_window. None as reverse_rule().
+[[nodiscard]] std::optional<ReverseRule> reverse_rule_of_window(const UniformMask& mask, std::uint64_t fine_points);
 
 /// Σ |b_k|: by so much an error of the fine points can grow in a coarse one, at most.
 [[nodiscard]] Rational gain(const ReverseRule& rule);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "internode/report/code/automaton_code.h"
+#include "internode/report/code/cells_code.h"
 #include "internode/report/code/code_tables.h"
 
 #include <algorithm>

@@ -62,25 +62,25 @@ std::vector<CellState> cells_of_windows(const std::vector<Word>& windows, int de
 }
 
 AutomatonExport export_automaton(const std::string& name, const IntervalSystem& system, int degree, WordChoice choice,
-                                 std::size_t limit) {
+                                 const ExactLimits& limits) {
     require_degree(degree);
     const bool has_axiom = system.grammar().axiom.has_value();
     if (choice == WordChoice::Reachable && !has_axiom) throw std::invalid_argument("there is no axiom to start from");
     if (choice == WordChoice::Reachable || (choice == WordChoice::Default && has_axiom)) {
-        AutomatonExport exported = export_automaton(name, system, degree, *system.grammar().axiom, limit);
+        AutomatonExport exported = export_automaton(name, system, degree, *system.grammar().axiom, limits);
         exported.start = "axiom";
         return exported;
     }
     if (choice == WordChoice::Default) choice = WordChoice::Persistent;
     const std::size_t letters = 2 * static_cast<std::size_t>(degree) - 1;
-    const std::vector<Word> windows = word_graph(system, letters, choice, limit).words;
+    const std::vector<Word> windows = word_graph(system, letters, choice, limits.entries).words;
     return {name, system, choice == WordChoice::All ? "all" : "persistent",
-            make_automaton(system, degree, cells_of_windows(windows, degree), limit), 1};
+            make_automaton(system, degree, cells_of_windows(windows, degree), limits), 1};
 }
 
 AutomatonExport export_automaton(const std::string& name, const IntervalSystem& system, int degree, const Axiom& word,
-                                 std::size_t limit) {
-    return {name, system, "word", make_automaton(system, degree, cell_states(word.word, degree, word.ends), limit), 1};
+                                 const ExactLimits& limits) {
+    return {name, system, "word", make_automaton(system, degree, cell_states(word.word, degree, word.ends), limits), 1};
 }
 
 std::string automaton_json(const AutomatonExport& automaton, const Generator& generator) {

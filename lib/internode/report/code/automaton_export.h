@@ -2,7 +2,7 @@
 //
 // A stencil automaton on its way out, as JSON or as code, with the words it is for.
 //
-// Tables that know no word must serve all of a kind: a choice of windows gives the automaton of every closed, open and
+// Tables that know no word must serve all of a kind. A choice of windows gives the automaton of every closed, open and
 // clamped word of at least 2d-1 intervals whose factors of 2d-1 letters are among the windows.
 
 #pragma once
@@ -19,25 +19,25 @@
 namespace internode {
 
 struct AutomatonExport {
-    std::string name; ///< of the grammar, for people
+    std::string name; ///< the grammar's, for people
     IntervalSystem system;
     std::string start; ///< "persistent" or "all": the words above; "axiom" or "word": one word and what it becomes
     StencilAutomaton automaton;
-    std::uint64_t steps = 1; ///< of the grammar at once: `system` is a power of it (interval/interval_system.h)
+    std::uint64_t steps = 1; ///< steps of the grammar at once: `system` is a power of it (interval/interval_system.h)
 };
 
 /// The cells of the words above: each window with z = 0 … d, and every cell of 0^d window 0^d.
 [[nodiscard]] std::vector<CellState> cells_of_windows(const std::vector<Word>& windows, int degree);
 
 /// By the axiom where there is one (and `choice` is Default or Reachable), else by the persistent windows or by all.
-/// \throw TooManyWords, TooManyStates beyond `limit`; std::invalid_argument for a degree outside 1 … 12, for Reachable
-/// without an axiom and for an axiom that does not fit the degree
+/// \throw TooManyWords, TooManyStates, TooMuchWork beyond the limits; std::invalid_argument for a degree outside 1 …
+/// 12, for Reachable without an axiom and for an axiom that does not fit the degree
 [[nodiscard]] AutomatonExport export_automaton(const std::string& name, const IntervalSystem& system, int degree,
-                                               WordChoice choice, std::size_t limit);
+                                               WordChoice choice, const ExactLimits& limits);
 
-/// By one word. \throw TooManyStates beyond `limit`; std::invalid_argument as cell_states()
+/// By one word. \throw TooManyStates, TooMuchWork beyond the limits; std::invalid_argument as cell_states()
 [[nodiscard]] AutomatonExport export_automaton(const std::string& name, const IntervalSystem& system, int degree,
-                                               const Axiom& word, std::size_t limit);
+                                               const Axiom& word, const ExactLimits& limits);
 
 /// "internode-automaton" version 1 (docs/json.md): states with their windows and children, rows exact and rounded.
 [[nodiscard]] std::string automaton_json(const AutomatonExport& automaton, const Generator& generator);

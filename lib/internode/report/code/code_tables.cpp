@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// An automaton as flat arrays: the children of state s stand from first[s] up to first[s + 1], windows and rows one
+// behind the other. Symbols are numbers from 1 on, 0 is the empty interval.
 
 #include "internode/report/code/code_tables.h"
 
@@ -6,6 +9,7 @@
 #include "internode/text/number.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace internode {
 
@@ -113,6 +117,7 @@ CodeTables code_tables(const CellExport& exported) {
     std::ptrdiff_t before = static_cast<std::ptrdiff_t>(automaton.width()) - 1;
     for (std::uint32_t s = 0; s < automaton.state_count(); ++s) before = std::max(before, -automaton.offset(s));
     tables.degree = static_cast<std::size_t>(before);
+    assert(before >= 0 && "an automaton has rows of at least one weight");
     append_children(tables, automaton);
     for (std::uint32_t s = 0; s < automaton.state_count(); ++s)
         tables.lead.push_back(static_cast<std::uint32_t>(automaton.offset(s) + before));
@@ -120,6 +125,7 @@ CodeTables code_tables(const CellExport& exported) {
 }
 
 std::string initializer(const std::vector<std::uint32_t>& values, std::size_t per_line, std::string_view suffix) {
+    assert(per_line > 0);
     std::string text = "{";
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (i > 0) text += ',';
@@ -132,6 +138,7 @@ std::string initializer(const std::vector<std::uint32_t>& values, std::size_t pe
 
 std::string weight_initializer(const CellAutomaton& automaton, std::size_t width, bool nested,
                                std::string_view suffix) {
+    assert(width >= automaton.width() && "rows are filled up with zeros");
     std::string text = "{";
     for (std::uint32_t row = 0; row < automaton.row_count(); ++row) {
         text += row > 0 ? ",\n    " : "\n    ";

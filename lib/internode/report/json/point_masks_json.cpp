@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 
+#include "internode/report/json/point_masks_json.h"
+
 #include "internode/io/json/json_writer.h"
 #include "internode/report/json/json_parts.h"
-#include "internode/report/point_masks.h"
 
 namespace internode {
 

@@ -3,6 +3,7 @@
 #include "internode/report/json/points_json.h"
 
 #include "internode/io/json/json_writer.h"
+#include "internode/point/strands.h"
 #include "internode/report/json/json_parts.h"
 
 #include <span>
@@ -25,8 +26,8 @@ void write_system(JsonWriter& json, const PointSystem& system, const std::string
     json.key("grammar").begin_object().key("name").string(name).key("constants").begin_object();
     for (std::uint32_t i = 0; i < grammar.definitions.size(); ++i) {
         if (!grammar.definitions[i].formals.empty()) continue;
-        const ConstantValue& constant = system.constant(i);
-        json.key(grammar.definitions[i].name).begin_object(line).key("value").number(constant.value);
+        const KnownNumber& constant = system.constant(i);
+        json.key(grammar.definitions[i].name).begin_object(line).key("value").number(nearest(constant));
         json.key("exact");
         if (constant.exact)
             json.string(to_string(*constant.exact));

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "internode/io/file/sink.h"
-#include "internode/point/module_word.h"
+#include "internode/point/strands.h"
 #include "internode/report/generator.h"
 
 #include <cstdint>
@@ -15,8 +15,8 @@
 namespace internode {
 
 struct PointsDocument {
-    std::string name;         ///< of the grammar
-    std::uint64_t cycles = 0; ///< from the axiom or the polygon to the points
+    std::string name;         ///< the grammar's
+    std::uint64_t cycles = 0; ///< cycles from the axiom or the polygon to the points
     bool weighted = false;    ///< the last coordinate of each point goes into "weights" instead
     Generator generator;
 };

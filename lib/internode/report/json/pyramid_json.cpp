@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include "internode/report/pyramid_report.h"
+#include "internode/report/json/pyramid_json.h"
 
 #include "internode/report/json/json_parts.h"
 
@@ -48,6 +48,14 @@ void write_method(JsonWriter& json, const ReverseOptions& options) {
         json.null();
 }
 
+/// Where the parameter of all levels begins.
+void write_origin(JsonWriter& json, const Knots& knots) {
+    json.key("origin").begin_object(line).key("value").number(knots.origin().to_double()).key("exact").begin_array();
+    for (const Rational& coefficient : knots.origin().coefficients(knots.system().field()))
+        json.string(to_string(coefficient));
+    json.end_array().end_object();
+}
+
 void write_level(JsonWriter& json, const PyramidReport& report, std::size_t level) {
     const std::size_t dimension = report.kept.coarse.dimension();
     const PyramidLevel& kept = report.kept.levels[level];
@@ -82,6 +90,7 @@ std::string pyramid_json(const PyramidReport& report, const Generator& generator
     write_error(json, "error", report.kept_error);
     json.key("word");
     write_word(json, coarse.word(), coarse.system().alphabet());
+    write_origin(json, coarse.knots());
     json.key("points");
     write_rows(json, coarse.points(), coarse.dimension());
     json.key("levels").begin_array();

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 
+#include "internode/report/json/reversal_json.h"
+
 #include "internode/io/json/json_writer.h"
 #include "internode/report/json/json_parts.h"
-#include "internode/report/reversal_report.h"
+#include "internode/report/text/reversal_text.h"
 
 namespace internode {
 

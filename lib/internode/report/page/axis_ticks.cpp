@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// A linear axis takes the largest step of 1, 2 or 5 times a power of ten that gives four steps or more. A logarithmic
+// one takes powers of ten, each n-th where there are many, and 2 and 5 times them where there are few.
 
 #include "internode/report/page/axis_ticks.h"
 

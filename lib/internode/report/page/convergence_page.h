@@ -17,7 +17,7 @@ namespace internode {
 struct ConvergencePage {
     const Convergence& convergence;
     const IntervalSystem& system;
-    std::string curve_name; ///< of the input: "iceland-coast"; may be empty
+    std::string curve_name; ///< the curve's file: "iceland-coast"; may be empty
     std::string picture;    ///< curve_picture() for a page; may be empty
     Generator generator;
 };

@@ -11,9 +11,8 @@ namespace internode {
 
 namespace {
 
-std::string step_label(const ConvergenceStep& step, std::string_view what, double value) {
-    return "step " + std::to_string(step.step) + ", " + std::to_string(step.points) + " points: " + std::string(what) +
-           " " + rounded(value);
+std::string step_label(const ConvergenceStep& step, const std::string& what) {
+    return "step " + std::to_string(step.step) + ", " + std::to_string(step.points) + " points: " + what;
 }
 
 /// The line of slope -2 a little below the last error, over the range of the steps.
@@ -39,9 +38,9 @@ std::string error_plot(const Convergence& convergence) {
     for (const ConvergenceStep& step : convergence.steps) {
         const auto points = static_cast<double>(step.points);
         error.points.push_back({points, step.error});
-        error.labels.push_back(step_label(step, "error", step.error));
+        error.labels.push_back(step_label(step, "error " + rounded(step.error)));
         envelope.points.push_back({points, step.envelope});
-        envelope.labels.push_back(step_label(step, "at most", step.envelope));
+        envelope.labels.push_back(step_label(step, "at most " + rounded_up(step.envelope)));
     }
     PlotSeries bisection{.name = "bisection", .style = "bisection", .mark = Mark::Triangle, .points = {}, .labels = {}};
     for (const BisectionStep& step : convergence.bisection) {

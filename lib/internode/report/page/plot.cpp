@@ -6,6 +6,7 @@
 #include "internode/report/markup.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 namespace internode {
@@ -42,6 +43,7 @@ struct Axis {
     }
     /// Of a transformed value.
     [[nodiscard]] double place(double transform) const {
+        assert(least < greatest);
         return first_pixel + (transform - least) / (greatest - least) * (last_pixel - first_pixel);
     }
     [[nodiscard]] double pixel(double value) const { return place(transformed(value)); }
@@ -169,6 +171,7 @@ std::string draw_legend(const Plot& plot) {
 } // namespace
 
 std::string plot_svg(const Plot& plot) {
+    assert(!plot.series.empty());
     const Axes axes = make_axes(plot);
     if (axes.x.least > axes.x.greatest) return {};
     std::string text =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A plot for a page: series of points over linear or logarithmic axes, as inline SVG that the page's style sheet
-// colours (classes error, envelope, bisection, guide) and that needs no script: a mark tells its numbers as a tooltip.
+// A plot for a page: series of points over linear or logarithmic axes, as inline SVG. The page's style sheet colours it
+// (classes error, envelope, bisection, guide). It needs no script: a mark tells its numbers as a tooltip.
 
 #pragma once
 
@@ -16,7 +16,7 @@ namespace internode {
 enum class Mark { None, Disc, Square, Triangle };
 
 struct PlotSeries {
-    std::string name;                ///< in the legend; empty: not there
+    std::string name;                ///< the series in the legend; empty: not there
     std::string style;               ///< a class of the page's style sheet
     Mark mark = Mark::Disc;          ///< None: the line alone
     std::vector<Point2> points;      ///< left to right; what a logarithmic axis cannot show is left out
@@ -24,7 +24,7 @@ struct PlotSeries {
 };
 
 struct Plot {
-    std::string title; ///< for readers who do not see it
+    std::string title; ///< the plot in words, for readers who do not see it
     std::string x_label;
     std::string y_label;
     Scale x_scale = Scale::Linear;

@@ -1,124 +1,91 @@
 // SPDX-License-Identifier: MIT
+//
+// Pieces are sorted by symbol without moving their order, so that each symbol is one path whose runs join where its
+// pieces do. Everything is written as it is drawn: what is kept is the curve itself and 64 KiB of text.
 
 #include "internode/report/picture/curve_picture.h"
 
-#include "internode/report/markup.h"
+#include "internode/io/file/text_buffer.h"
+#include "internode/report/picture/frame.h"
+#include "internode/report/picture/marks.h"
 #include "internode/report/picture/palette.h"
 #include "internode/report/picture/picture_legend.h"
 #include "internode/text/diagnostic.h"
 
 #include <algorithm>
-#include <limits>
+#include <cassert>
+#include <numeric>
 #include <stdexcept>
 
 namespace internode {
 
 namespace {
 
-constexpr double picture_width = 960;
 constexpr double margin = 28;
 constexpr double title_height = 30;
+constexpr double remark_height = 24;
 constexpr double largest_height = 720;
+constexpr double least_height = 40;
 constexpr double graph_height = 420;
 constexpr std::size_t few_points = 400;     // polygon vertices that are still marked
 constexpr std::size_t many_points = 3000;   // beyond, a refined polygon and its curve are one line to the eye
 constexpr std::size_t many_segments = 1000; // beyond, marks at the knots would hide the curve
-constexpr std::size_t smooth_points = 4000; // of a polyline that stands for a curve
+constexpr std::size_t smooth_points = 4000; // points of a polyline that stands for a curve
 
-/// From the plane to pixels: equal scales unless the picture is a graph.
-struct Frame {
-    Point2 least; ///< smallest coordinates, in quarters
-    Point2 scale;
-    Point2 origin; ///< pixel of the smallest coordinates
-    double top = 0;
-    double height = 0;
-    int decimals = 2;
-
-    [[nodiscard]] Point2 pixel(Point2 point) const {
-        return {.x = origin.x + (point.x / 4 - least.x) * scale.x, .y = origin.y - (point.y / 4 - least.y) * scale.y};
-    }
-};
-
-struct Extent {
-    Point2 least{.x = std::numeric_limits<double>::max(), .y = std::numeric_limits<double>::max()};
-    Point2 greatest{.x = std::numeric_limits<double>::lowest(), .y = std::numeric_limits<double>::lowest()};
-
-    void include(const std::vector<Point2>& points) {
-        for (const Point2& point : points) {
-            least = {.x = std::min(least.x, point.x), .y = std::min(least.y, point.y)};
-            greatest = {.x = std::max(greatest.x, point.x), .y = std::max(greatest.y, point.y)};
-        }
-    }
-};
-
-/// Pixels per unit so that `extent` fills `pixels`; 0 when it has no size to speak of.
-double filling(double pixels, double extent) {
-    constexpr double nothing = 1e-300;
-    return extent > nothing ? pixels / extent : 0;
-}
-
-/// Quarters of coordinates, so that no difference of finite numbers overflows.
-Frame make_frame(const PlanarCurve& curve, SvgPlace place) {
-    Extent extent;
-    extent.include(curve.control);
-    extent.include(curve.refined);
-    extent.include(curve.segments);
+/// The frame of a curve and where its content ends.
+struct Canvas {
     Frame frame;
-    frame.least = {.x = extent.least.x / 4, .y = extent.least.y / 4};
-    const Point2 size{.x = extent.greatest.x / 4 - frame.least.x, .y = extent.greatest.y / 4 - frame.least.y};
-    const double width = picture_width - 2 * margin;
-    const double top = place == SvgPlace::File ? margin + title_height : margin;
-    if (curve.is_graph) {
-        frame.scale = {.x = filling(width, size.x), .y = filling(graph_height, size.y)};
-    } else {
-        const double across = filling(width, size.x);
-        const double along = filling(largest_height, size.y);
-        const double scale = across == 0 ? along : along == 0 ? across : std::min(across, along);
-        frame.scale = {.x = scale, .y = scale};
-    }
-    const double content_height = curve.is_graph ? graph_height : std::max(size.y * frame.scale.y, 40.0);
-    frame.origin = {.x = (picture_width - size.x * frame.scale.x) / 2,
-                    .y = top + (content_height + size.y * frame.scale.y) / 2};
-    frame.top = top;
-    frame.height = top + content_height + margin;
-    frame.decimals = curve.symbols.size() > many_points ? 2 : 3;
-    return frame;
+    double top = 0;    ///< the pixel row where the curve may begin
+    double height = 0; ///< down to the margin below the curve
+    int decimals = 2;  ///< decimals of the curve's pixels
+};
+
+Canvas make_canvas(const PlanarCurve& curve, SvgPlace place) {
+    PlaneBox box;
+    box.include(curve.control);
+    box.include(curve.refined);
+    box.include(curve.segments);
+    const Point2 size = box.size();
+    const Point2 room{.x = picture_width - 2 * margin, .y = curve.is_graph ? graph_height : largest_height};
+    const Point2 scale = filling_scale(size, room, curve.is_graph ? Units::Apart : Units::Equal);
+    const double content_height = curve.is_graph ? graph_height : std::max(size.y * scale.y, least_height);
+    Canvas canvas;
+    canvas.top = place == SvgPlace::File ? margin + title_height : margin;
+    canvas.height = canvas.top + content_height + margin;
+    canvas.frame = {
+        .anchor = box.least,
+        .at = {.x = (picture_width - size.x * scale.x) / 2, .y = canvas.top + (content_height + size.y * scale.y) / 2},
+        .scale = scale};
+    canvas.decimals = curve.symbols.size() > many_points ? 2 : 3;
+    return canvas;
 }
 
-std::string polygon_path(const std::vector<Point2>& points, bool closed, const Frame& frame) {
-    std::string path;
+/// Path data of a polygon.
+void write_polygon(TextBuffer& out, const std::vector<Point2>& points, bool closed, const Frame& frame) {
+    std::string command;
     for (std::size_t k = 0; k < points.size(); ++k) {
-        path += k == 0 ? 'M' : 'L';
-        append_point(path, frame.pixel(points[k]), 2);
+        command = k == 0 ? 'M' : 'L';
+        append_point(command, frame.pixel(points[k]), 2);
+        out << command;
+        out.pass_on();
     }
-    return path + (closed ? "Z" : "");
+    if (closed) out << 'Z';
 }
 
-/// Marks of a diameter in pixels, as dots of one path.
-std::string dots(const std::vector<Point2>& pixels, std::string_view colour, double diameter) {
-    std::string text = "<path fill=\"none\" stroke=\"" + std::string(colour) + "\" stroke-linecap=\"round\"" +
-                       attribute("stroke-width", diameter) + " d=\"";
-    for (const Point2& pixel : pixels) {
-        text += 'M';
-        append_point(text, pixel);
-        text += "h0";
-    }
-    return text + "\"/>\n";
-}
-
-std::string draw_polygon(std::string_view name, const std::vector<Point2>& points, const PlanarCurve& curve,
-                         const Frame& frame) {
+void draw_polygon(TextBuffer& out, std::string_view name, const std::vector<Point2>& points, const PlanarCurve& curve,
+                  const Frame& frame) {
     const bool is_control = name == "control";
     const std::string_view colour = is_control ? "#8c8c8c" : "#b9b9b9";
-    std::string text = "<g id=\"" + std::string(name) + "\">\n<path fill=\"none\" stroke=\"" + std::string(colour) +
-                       "\" stroke-linejoin=\"round\" stroke-width=\"" + (points.size() > few_points ? "0.7" : "1") +
-                       "\" d=\"" + polygon_path(points, curve.closed, frame) + "\"/>\n";
+    out << "<g id=\"" << name << "\">\n<path fill=\"none\" stroke=\"" << colour
+        << "\" stroke-linejoin=\"round\" stroke-width=\"" << (points.size() > few_points ? "0.7" : "1") << "\" d=\"";
+    write_polygon(out, points, curve.closed, frame);
+    out << "\"/>\n";
     if (points.size() <= few_points) {
         std::vector<Point2> pixels;
         for (const Point2& point : points) pixels.push_back(frame.pixel(point));
-        text += dots(pixels, colour, is_control ? 5 : 3);
+        out << dots(pixels, colour, is_control ? 5 : 3);
     }
-    return text + "</g>\n";
+    out << "</g>\n";
 }
 
 /// A Bézier curve, rational when it has weights.
@@ -162,52 +129,100 @@ void append_segment(std::string& path, const Piece& piece, std::size_t chords, i
     }
 }
 
-/// One path per symbol; a piece that goes on where the last one of its symbol ended needs no start of its own.
-std::vector<std::string> symbol_paths(const PlanarCurve& curve, const std::vector<Point2>& pixels, int decimals) {
-    const std::size_t size = static_cast<std::size_t>(curve.degree) + 1;
-    const std::size_t most = curve.weights.empty() ? 16 : 64; // chords: a rational piece may turn by half a circle
-    const std::size_t chords = std::clamp<std::size_t>(smooth_points / curve.symbols.size(), 2, most);
-    std::vector<std::string> paths(curve.names.size());
-    for (std::size_t k = 0; k < curve.symbols.size(); ++k) {
-        std::string& path = paths[to_index(curve.symbols[k])];
-        Piece piece{std::span<const Point2>(pixels).subspan(k * size, size), {}};
-        if (!curve.weights.empty()) piece.weights = std::span<const double>(curve.weights).subspan(k * size, size);
-        std::string start;
-        append_point(start, piece.points.front(), decimals);
-        std::string end_before;
-        if (k > 0 && curve.symbols[k - 1] == curve.symbols[k]) append_point(end_before, pixels[k * size - 1], decimals);
-        if (start != end_before) path += "M" + start;
-        append_segment(path, piece, chords, decimals);
+/// The pieces of each symbol in their order: those of symbol i stand from first[i] up to first[i + 1].
+struct PiecesBySymbol {
+    std::vector<std::size_t> first;
+    std::vector<std::size_t> pieces;
+};
+
+PiecesBySymbol pieces_by_symbol(const PlanarCurve& curve) {
+    PiecesBySymbol sorted;
+    sorted.first.assign(curve.names.size() + 1, 0);
+    for (const Symbol symbol : curve.symbols) {
+        assert(to_index(symbol) < curve.names.size());
+        ++sorted.first[to_index(symbol) + 1];
     }
-    return paths;
+    std::partial_sum(sorted.first.begin(), sorted.first.end(), sorted.first.begin());
+    sorted.pieces.resize(curve.symbols.size());
+    std::vector<std::size_t> next = sorted.first;
+    for (std::size_t k = 0; k < curve.symbols.size(); ++k) sorted.pieces[next[to_index(curve.symbols[k])]++] = k;
+    return sorted;
 }
 
-std::string draw_limit(const PlanarCurve& curve, const std::vector<Point2>& pixels, int decimals) {
-    const char* const width = curve.symbols.size() > many_points ? "1.3" : "2.4";
-    std::string text =
-        "<g id=\"limit\" fill=\"none\" stroke-linejoin=\"round\" stroke-width=\"" + std::string(width) + "\">\n";
-    const std::vector<std::string> paths = symbol_paths(curve, pixels, decimals);
-    for (std::size_t i = 0; i < paths.size(); ++i)
-        if (!paths[i].empty()) text += "<path" + symbol_stroke(to_symbol(i)) + " d=\"" + paths[i] + "\"/>\n";
-    return text + "</g>\n";
+/// The pieces of the limit curve in pixels, one after the other in any order.
+class Pieces {
+public:
+    Pieces(const PlanarCurve& curve, const Canvas& canvas)
+        : curve_(curve)
+        , canvas_(canvas)
+        , size_(static_cast<std::size_t>(curve.degree) + 1) {
+        const std::size_t most = curve.weights.empty() ? 16 : 64; // chords: a rational piece may turn by half a circle
+        chords_ = std::clamp<std::size_t>(smooth_points / curve.symbols.size(), 2, most);
+        assert(curve.segments.size() == size_ * curve.symbols.size());
+    }
+
+    /// The first point of piece k, and the last one of the curve for k = their number.
+    [[nodiscard]] Point2 start(std::size_t k) const {
+        return canvas_.frame.pixel(k < curve_.symbols.size() ? curve_.segments[k * size_] : curve_.segments.back());
+    }
+
+    /// The commands of piece k; one that goes on where the last one of its symbol ended needs no start of its own.
+    [[nodiscard]] std::string commands(std::size_t k) {
+        pixels_.clear();
+        for (std::size_t b = 0; b < size_; ++b) pixels_.push_back(canvas_.frame.pixel(curve_.segments[k * size_ + b]));
+        Piece piece{pixels_, {}};
+        if (!curve_.weights.empty()) piece.weights = std::span<const double>(curve_.weights).subspan(k * size_, size_);
+        std::string begin;
+        append_point(begin, pixels_.front(), canvas_.decimals);
+        std::string end_before;
+        if (k > 0 && curve_.symbols[k - 1] == curve_.symbols[k])
+            append_point(end_before, canvas_.frame.pixel(curve_.segments[k * size_ - 1]), canvas_.decimals);
+        std::string path = begin != end_before ? "M" + begin : std::string();
+        append_segment(path, piece, chords_, canvas_.decimals);
+        return path;
+    }
+
+private:
+    const PlanarCurve& curve_;
+    const Canvas& canvas_;
+    std::size_t size_;   ///< Bézier points of a piece
+    std::size_t chords_; ///< chords of a piece that has no command in SVG
+    std::vector<Point2> pixels_;
+};
+
+/// One path per symbol.
+void draw_limit(TextBuffer& out, const PlanarCurve& curve, Pieces& pieces) {
+    const PiecesBySymbol sorted = pieces_by_symbol(curve);
+    out << "<g id=\"limit\" fill=\"none\" stroke-linejoin=\"round\" stroke-width=\""
+        << (curve.symbols.size() > many_points ? "1.3" : "2.4") << "\">\n";
+    for (std::size_t i = 0; i < curve.names.size(); ++i) {
+        if (sorted.first[i] == sorted.first[i + 1]) continue;
+        out << "<path" << symbol_stroke(to_symbol(i)) << " d=\"";
+        for (std::size_t at = sorted.first[i]; at < sorted.first[i + 1]; ++at) {
+            out << pieces.commands(sorted.pieces[at]);
+            out.pass_on();
+        }
+        out << "\"/>\n";
+    }
+    out << "</g>\n";
 }
 
-std::string draw_knots(const PlanarCurve& curve, const std::vector<Point2>& pixels) {
-    const std::size_t size = static_cast<std::size_t>(curve.degree) + 1;
+void draw_knots(TextBuffer& out, const PlanarCurve& curve, const Pieces& pieces) {
     std::vector<Point2> marks;
-    for (std::size_t k = 0; k < curve.symbols.size(); ++k) marks.push_back(pixels[k * size]);
-    if (!curve.closed) marks.push_back(pixels.back());
+    const std::size_t knots = curve.symbols.size() + (curve.closed ? 0 : 1);
+    for (std::size_t k = 0; k < knots; ++k) marks.push_back(pieces.start(k));
     const double diameter = curve.symbols.size() > 200 ? 3 : 5;
-    return "<g id=\"knots\">\n" + dots(marks, "#222222", diameter) + dots(marks, "#ffffff", diameter - 1.8) + "</g>\n";
+    out << "<g id=\"knots\">\n"
+        << dots(marks, "#222222", diameter) << dots(marks, "#ffffff", diameter - 1.8) << "</g>\n";
 }
 
 /// The range of the values and of the parameter, at the edges of a graph.
-std::string draw_ranges(const Frame& frame) {
+std::string draw_ranges(const Canvas& canvas) {
     const double left = margin;
     const double right = picture_width - margin;
-    const double bottom = frame.height - margin;
+    const double bottom = canvas.height - margin;
     return "<g id=\"axes\" stroke=\"#b9b9b9\" stroke-width=\"1\"><path d=\"M" + fixed(left - 8) + " " +
-           fixed(frame.top) + "V" + fixed(bottom + 8) + "H" + fixed(right) + "\" fill=\"none\"/></g>\n<text" +
+           fixed(canvas.top) + "V" + fixed(bottom + 8) + "H" + fixed(right) + "\" fill=\"none\"/></g>\n<text" +
            attribute("x", right) + attribute("y", bottom + 24) +
            " font-size=\"12\" text-anchor=\"end\" fill=\"currentColor\">parameter</text>\n";
 }
@@ -229,32 +244,37 @@ std::vector<LegendEntry> legend_entries(const PlanarCurve& curve) {
 
 } // namespace
 
-std::string curve_picture(const PlanarCurve& curve, const CurvePictureOptions& options) {
+void write_curve_picture(Sink& sink, const PlanarCurve& curve, const CurvePictureOptions& options) {
     if (curve.symbols.empty()) throw std::invalid_argument("a curve without intervals has no picture");
-    const Frame frame = make_frame(curve, options.place);
-    std::vector<Point2> pixels;
-    pixels.reserve(curve.segments.size());
-    for (const Point2& point : curve.segments) pixels.push_back(frame.pixel(point));
-
-    const double legend_top = frame.height + (curve.is_graph ? 10 : 0);
+    const Canvas canvas = make_canvas(curve, options.place);
+    const double legend_top = canvas.height + (curve.is_graph ? 10 : 0);
     const Legend legend = picture_legend(legend_entries(curve), picture_width, legend_top);
-    std::string text = svg_open({.width = picture_width,
-                                 .height = legend_top + legend.height,
-                                 .title = options.title,
-                                 .description = description(curve),
-                                 .generator = options.generator},
-                                options.place);
-    if (options.place == SvgPlace::File)
-        text += "<text" + attribute("x", picture_width / 2) + attribute("y", margin + 8) +
-                " font-size=\"18\" font-weight=\"bold\" text-anchor=\"middle\" fill=\"currentColor\">" +
-                markup(options.title) + "</text>\n";
-    if (curve.is_graph) text += draw_ranges(frame);
-    text += draw_polygon("control", curve.control, curve, frame);
+    const double remark_top = legend_top + legend.height;
+    TextBuffer out(sink);
+    out << svg_open({.width = picture_width,
+                     .height = remark_top + (options.remark.empty() ? 0 : remark_height),
+                     .title = options.title,
+                     .description = description(curve),
+                     .generator = options.generator},
+                    options.place);
+    if (options.place == SvgPlace::File) out << title_text(options.title, {.x = picture_width / 2, .y = margin + 8});
+    if (curve.is_graph) out << draw_ranges(canvas);
+    draw_polygon(out, "control", curve.control, curve, canvas.frame);
     if (!curve.refined.empty() && curve.refined.size() <= many_points)
-        text += draw_polygon("refined", curve.refined, curve, frame);
-    text += draw_limit(curve, pixels, frame.decimals);
-    if (curve.symbols.size() <= many_segments) text += draw_knots(curve, pixels);
-    return text + legend.svg + "</svg>\n";
+        draw_polygon(out, "refined", curve.refined, curve, canvas.frame);
+    Pieces pieces(curve, canvas);
+    draw_limit(out, curve, pieces);
+    if (curve.symbols.size() <= many_segments) draw_knots(out, curve, pieces);
+    out << legend.svg;
+    if (!options.remark.empty()) out << caption(options.remark, {.x = picture_width / 2, .y = remark_top + 4});
+    out << "</svg>\n";
+    out.flush();
+}
+
+std::string curve_picture(const PlanarCurve& curve, const CurvePictureOptions& options) {
+    StringSink sink;
+    write_curve_picture(sink, curve, options);
+    return sink.text();
 }
 
 } // namespace internode

@@ -5,9 +5,13 @@
 //
 // Up to degree 3 a piece is one exact `L`, `Q` or `C` of SVG, in the layer <g id="limit">; above, and with weights, a
 // polyline through points of the curve. All pieces of a symbol are one path, so 20,000 of them stay a small file.
+//
+// The picture goes to its sink as it is drawn. Since the curve is the same after any number of steps, a picture of many
+// steps is drawn after fewer (picture/drawn_steps.h), which `remark` says.
 
 #pragma once
 
+#include "internode/io/file/sink.h"
 #include "internode/report/generator.h"
 #include "internode/report/picture/planar_curve.h"
 #include "internode/report/picture/svg.h"
@@ -20,9 +24,13 @@ struct CurvePictureOptions {
     std::string title; ///< drawn in a file; a page has its own headings
     Generator generator;
     SvgPlace place = SvgPlace::File;
+    std::string remark{}; ///< plain text below the legend; empty: none
 };
 
-/// An SVG text, 960 pixels wide. \throw std::invalid_argument for a curve without segments
+/// An SVG text on its way to a sink, whole if the sink is. \throw std::invalid_argument for a curve without segments
+void write_curve_picture(Sink& sink, const PlanarCurve& curve, const CurvePictureOptions& options);
+
+/// The same, 960 pixels wide. \throw std::invalid_argument for a curve without segments
 [[nodiscard]] std::string curve_picture(const PlanarCurve& curve, const CurvePictureOptions& options);
 
 } // namespace internode

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Places come from the layout in units; a unit becomes as many pixels as fit, and below a least size the picture grows.
+// Contexts are painted first, then successors, then the words over the ends of all arrows.
 
 #include "internode/report/picture/derivation_tree.h"
 
@@ -10,6 +13,7 @@
 #include "internode/text/number.h"
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 
 namespace internode {
@@ -21,7 +25,7 @@ constexpr double side = 24;
 constexpr double row_name_width = 92;
 constexpr double title_height = 52;
 constexpr double row_height = 70;
-constexpr double seam_room = 12; // of arrows that come in from the side
+constexpr double seam_room = 12; // pixels for arrows that come in from the side
 constexpr double legend_height = 46;
 constexpr double widest_unit = 84;    // pixels of a module
 constexpr double narrowest_unit = 12; // below, the picture grows
@@ -156,6 +160,7 @@ std::string Painter::arrow(Point2 from, Point2 to, bool dashed) const {
 
 /// Across the seam of a ring the arrow is cut: its last part, from the side that the context is on.
 std::string Painter::context_arrow(std::size_t row, std::size_t read, std::size_t child) const {
+    assert(read < tree_.words[row].size() && child < tree_.words[row + 1].size());
     const Point2 from = place(row, read);
     const Point2 to = place(row + 1, child);
     const double around = layout_.width * unit_;
@@ -169,6 +174,7 @@ std::string Painter::context_arrow(std::size_t row, std::size_t read, std::size_
 
 std::string Painter::arrows(std::size_t row, bool dashed) const {
     const StepRecord& step = tree_.steps[row];
+    assert(step.read.size() == step.parent.size() && step.parent.size() == tree_.words[row + 1].size());
     std::string text;
     for (std::size_t child = 0; child < step.parent.size(); ++child) {
         if (dashed) {
@@ -216,6 +222,7 @@ std::string Painter::module_mark(std::size_t row, std::size_t module) {
 }
 
 std::string Painter::paint_row(std::size_t index) {
+    assert(index < tree_.words.size());
     std::string text = "<g>\n<text" + attribute("x", side) + attribute("y", line_of(index) + 4.5) +
                        " font-size=\"12\" fill=\"currentColor\">" + markup(printable(tree_.row_names[index])) +
                        "</text>\n";

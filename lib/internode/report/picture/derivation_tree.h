@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The derivation tree of a few steps, as S1 draws it in figure 5: a row per word, the axiom on top; modules with
-// parameters are circles, modules without are horizontal lines (edges); solid arrows lead from the strict predecessor
+// The derivation tree of a few steps, as S1 draws it in figure 5: a row per word, the axiom on top. Modules with
+// parameters are circles, modules without are horizontal lines (edges). Solid arrows lead from the strict predecessor
 // to its successor, dashed ones from the contexts whose parameters were read.
 //
 // Successors stand below their predecessor: a module is as wide as what becomes of it. In a ring, contexts across the
@@ -25,7 +25,7 @@ inline constexpr std::size_t max_tree_row = 400;
 struct DerivationTree {
     std::vector<ModuleWord> words{};      ///< the axiom first, at least one
     std::vector<StepRecord> steps{};      ///< how each word became the next: one less than words
-    std::vector<std::string> row_names{}; ///< as many as words; plain text
+    std::vector<std::string> row_names{}; ///< a name for each word; plain text
     std::string title{};
     Generator generator{};
 };

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// The circle grows until no two boxes touch. An arrow is a quadratic curve whose control point is drawn towards the
+// centre, and a little to the left, so that opposite arrows part; both ends lie on the border of their boxes.
 
 #include "internode/report/picture/graph_picture.h"
 
@@ -7,6 +10,7 @@
 #include "internode/report/picture/svg.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <stdexcept>
 
@@ -14,7 +18,7 @@ namespace internode {
 
 namespace {
 
-constexpr double letter_width = 9.2; // of 15 px bold sans, generous
+constexpr double letter_width = 9.2; // pixels of a letter of 15 px bold sans, generous
 constexpr double node_height = 30;
 constexpr double node_padding = 12; // on each side of the word
 constexpr double node_gap = 14;     // between two words
@@ -25,7 +29,7 @@ constexpr double legend_height = 40;
 constexpr double loop_reach = 52; // how far a self loop stands out
 
 struct Node {
-    Point2 direction; // from the centre of the circle, length 1
+    Point2 direction; // direction from the centre of the circle, length 1
     Point2 centre;
     double width = 0;
     std::string label;
@@ -46,6 +50,7 @@ std::size_t code_points(const std::string& text) {
 }
 
 std::vector<Node> make_nodes(const FactorGraph& graph, const Alphabet& alphabet) {
+    assert(graph.arcs.size() == graph.words.size() && graph.persistent.size() == graph.words.size());
     const std::vector<Point2> directions = points_on_circle(graph.words.size());
     std::vector<Node> nodes(graph.words.size());
     for (std::size_t v = 0; v < nodes.size(); ++v) {
@@ -65,6 +70,7 @@ bool touch(const Node& a, const Node& b, double radius) {
 }
 
 double free_radius(const std::vector<Node>& nodes) {
+    assert(nodes.size() > 1 && nodes.size() <= max_drawn_words);
     double radius = smallest_radius;
     for (std::size_t a = 0; a < nodes.size(); ++a)
         for (std::size_t b = 0; b < a; ++b)

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // The levels of a point grammar's derivation side by side, as the papers draw them (S0, figures 1, 7 and 11; S1, figure
-// 2): a panel per level, its polygon in a thin line with its points as dots, over the control polygon in grey.
+// 2). Each has a panel: its polygon in a thin line with its points as dots, over the control polygon in grey.
 //
 // Where a word has lines of its own (S1, equation 9), they are drawn instead of the polygon. All panels have one scale;
 // points of one coordinate are drawn over their numbers, at equal steps.
 
 #pragma once
 
-#include "internode/point/module_word.h"
+#include "internode/point/strands.h"
 #include "internode/report/generator.h"
 #include "internode/report/picture/planar_curve.h"
 
@@ -23,13 +23,13 @@ inline constexpr std::size_t max_level_panels = 12;
 
 struct PictureLevel {
     std::size_t number = 0; ///< cycles
-    PointStrands strands{}; ///< after the interpretation
+    PointStrands strands{}; ///< the drawing, after the interpretation
 };
 
 struct LevelsPicture {
-    std::vector<PictureLevel> levels{}; ///< in their order
+    std::vector<PictureLevel> levels{}; ///< levels in their order
     bool has_control = true;            ///< the first level is a control polygon, and lies under the others
-    PictureAxes axes{};                 ///< of points with more than one coordinate
+    PictureAxes axes{};                 ///< axes of points with more than one coordinate
     std::string title{};
     Generator generator{};
 };

@@ -8,6 +8,7 @@
 #include "internode/text/diagnostic.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace internode {
 
@@ -15,7 +16,7 @@ namespace {
 
 constexpr double sample_width = 40;
 constexpr double row_height = 24;
-constexpr double letter_width = 7.4; // of 13 px sans
+constexpr double letter_width = 7.4; // pixels of a letter of 13 px sans
 constexpr double entry_gap = 28;
 constexpr std::size_t longest_name = 40;
 
@@ -75,6 +76,7 @@ std::string symbol_stroke(Symbol symbol) {
 }
 
 Legend picture_legend(const std::vector<LegendEntry>& entries, double width, double top) {
+    assert(width > 2 * entry_gap && top >= 0);
     const std::vector<Entry> all = all_entries(entries);
     std::string text = "<g id=\"legend\" font-size=\"13\">\n";
     double y = top;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// A function over its parameter is itself a curve in the plane: Greville abscissae are the control points of x = t.
 
 #include "internode/report/picture/planar_curve.h"
 
@@ -27,8 +29,10 @@ std::vector<Point2> graph_polygon(const Curve& curve) {
     const std::vector<double> abscissae = greville_abscissae(curve);
     std::vector<Point2> polygon;
     for (std::size_t k = 0; k < curve.size(); ++k) polygon.push_back({.x = abscissae[k], .y = curve.points()[k]});
-    if (curve.ends() == Ends::Circular)
-        polygon.push_back({.x = abscissae[0] + knot_positions(curve).back(), .y = curve.points()[0]});
+    if (curve.ends() == Ends::Circular) {
+        const std::vector<double> knots = knot_positions(curve);
+        polygon.push_back({.x = abscissae[0] + (knots.back() - knots.front()), .y = curve.points()[0]});
+    }
     return polygon;
 }
 

@@ -31,10 +31,10 @@ struct PlanarCurve {
     bool is_graph = false;          ///< a function over the parameter: the axes have different units
     std::vector<Point2> control;    ///< the coarse polygon
     std::vector<Point2> refined;    ///< the refined polygon; empty when no step was taken
-    std::vector<Symbol> symbols;    ///< of each segment, left to right
+    std::vector<Symbol> symbols;    ///< the symbol of each segment, left to right
     std::vector<Point2> segments;   ///< degree + 1 Bézier points per segment
-    std::vector<double> weights;    ///< of these points; empty when the curve is polynomial
-    std::vector<std::string> names; ///< of the symbols of the alphabet
+    std::vector<double> weights;    ///< weights of these points; empty when the curve is polynomial
+    std::vector<std::string> names; ///< names of the symbols of the alphabet
 };
 
 /// `refinement` is of the same curve as `coarse`, at the same step or later. \throw std::invalid_argument for an axis

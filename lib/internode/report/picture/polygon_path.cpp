@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
+//
+// A vertex is left out when it is nearer to the last one that was drawn than an eye can tell.
 
 #include "internode/report/picture/polygon_path.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace internode {
@@ -13,6 +16,7 @@ constexpr double nearest_vertices = 0.35; // pixels; closer ones are one to the 
 } // namespace
 
 void append_polygon(std::string& path, std::span<const Point2> pixels, bool closed) {
+    assert(std::ranges::all_of(pixels, [](Point2 pixel) { return std::isfinite(pixel.x) && std::isfinite(pixel.y); }));
     Point2 last;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         const Point2 pixel = pixels[i];

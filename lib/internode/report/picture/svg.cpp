@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// Sines and cosines come from their series in an eighth of a turn and from reflections, not from libm.
 
 #include "internode/report/picture/svg.h"
 
@@ -27,6 +29,7 @@ Point2 small_rotation(double angle) {
 }
 
 Point2 unit_vector(double eighths) {
+    assert(0 <= eighths && eighths <= 8);
     // eighths of a turn, 0 … 8: the angle within the octant, then reflections
     const auto octant = static_cast<int>(eighths);
     const double rest = eighths - octant;
@@ -74,6 +77,7 @@ void append_point(std::string& path, Point2 point, int decimals) {
 }
 
 std::string svg_open(const SvgHead& head, SvgPlace place) {
+    assert(head.width > 0 && head.height > 0);
     const std::string width = fixed(head.width);
     const std::string height = fixed(head.height);
     const bool is_file = place == SvgPlace::File;

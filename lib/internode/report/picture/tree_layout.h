@@ -16,8 +16,8 @@
 namespace internode {
 
 struct TreeLayout {
-    std::vector<std::vector<double>> centre; ///< of each module of each word
-    double width = 0;                        ///< of the whole
+    std::vector<std::vector<double>> centre; ///< the middle of each module of each word
+    double width = 0;                        ///< the width of the whole tree
 };
 
 /// `strict[r][i]`: how many modules of word r the rule took that gave module i of word r + 1, from its parent on.

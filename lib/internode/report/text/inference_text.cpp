@@ -13,7 +13,7 @@ namespace internode {
 
 namespace {
 
-constexpr std::size_t shown_rows = 20; ///< of a list of rows
+constexpr std::size_t shown_rows = 20; // rows of a list
 
 std::string heading(const RowPattern& pattern, const InferenceTextOptions& options) {
     const std::size_t arity = pattern.arity();

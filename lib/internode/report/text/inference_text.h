@@ -14,10 +14,10 @@
 namespace internode {
 
 struct InferenceTextOptions {
-    std::string name; ///< of the grammar
+    std::string name; ///< the grammar's
     Generator generator;
     std::optional<std::ptrdiff_t> shift; ///< none: the recommended one, and all others in the comments
-    OpenForm form = OpenForm::Ordered;   ///< of an open curve; the other one stands in the comments
+    OpenForm form = OpenForm::Ordered;   ///< the form of an open curve; the other one stands in the comments
 };
 
 /// The grammar of a closed curve.

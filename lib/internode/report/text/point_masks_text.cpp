@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-#include "internode/report/point_masks.h"
+#include "internode/report/text/point_masks_text.h"
+
 #include "internode/report/text/text_table.h"
 #include "internode/text/diagnostic.h"
 
@@ -10,7 +11,7 @@ namespace internode {
 
 namespace {
 
-constexpr std::size_t most_columns = 16; ///< of a matrix that is shown as one
+constexpr std::size_t most_columns = 16; // columns of a matrix that is shown as one
 
 std::string mask_line(const PointMasks& masks) {
     if (!masks.mask) return "  mask    none: the rules do not do the same to every point\n";

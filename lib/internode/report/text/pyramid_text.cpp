@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-#include "internode/report/pyramid_report.h"
+#include "internode/report/text/pyramid_text.h"
 
 #include "internode/report/text/text_table.h"
 #include "internode/text/diagnostic.h"
@@ -73,26 +73,6 @@ std::string kept_sentence(const PyramidReport& report) {
 }
 
 } // namespace
-
-PyramidReport pyramid_report(Analysis analysis, Pyramid kept, const Fitting& fitting, const std::string& source) {
-    const std::size_t dimension = kept.coarse.dimension();
-    std::vector<PolygonError> approximations = approximation_errors(analysis);
-    std::vector<PolygonError> round_trips;
-    const std::vector<std::vector<double>> whole = synthesise(analysis.pyramid);
-    for (std::size_t level = 0; level < whole.size(); ++level)
-        round_trips.push_back(polygon_error(whole[level], analysis.polygons[level], dimension));
-    const bool thresholded = detail_count(kept) < detail_count(analysis.pyramid);
-    const PolygonError kept_error =
-        thresholded ? polygon_error(synthesise(kept).back(), analysis.polygons.back(), dimension) : round_trips.back();
-    return {source,
-            fitting,
-            std::move(analysis),
-            std::move(kept),
-            thresholded,
-            std::move(approximations),
-            std::move(round_trips),
-            kept_error};
-}
 
 std::string pyramid_text(const PyramidReport& report) {
     std::string text = heading(report);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 
+#include "internode/report/text/reversal_text.h"
+
 #include "internode/grammar/points/print_points.h"
-#include "internode/report/reversal_report.h"
 #include "internode/report/text/text_table.h"
 #include "internode/text/diagnostic.h"
 

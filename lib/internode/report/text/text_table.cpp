@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
+//
+// Widths are counted in code points. A number is rounded up by its exact decimal digits, which every double has: the
+// first four of them, one unit more where any digit is left. No rounding to a double comes between.
 
 #include "internode/report/text/text_table.h"
-
-#include "internode/text/number.h"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <charconv>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -14,7 +17,7 @@ namespace internode {
 
 namespace {
 
-constexpr std::size_t label_columns = 16; // of labelled lines
+constexpr std::size_t label_columns = 16; // columns before the sentence of a labelled line
 
 constexpr std::size_t line_columns = 100;
 constexpr std::size_t longest_exact = 28;
@@ -26,6 +29,7 @@ std::size_t columns_of(std::string_view text) {
 
 /// c ρ^power for c > 0: "3/2", "2φ", "φ/2", "3φ²/2".
 std::string term_text(const Rational& coefficient, std::size_t power, std::string_view generator) {
+    assert(coefficient > 0);
     if (power == 0) return to_string(coefficient);
     std::string text;
     if (coefficient.get_num() != 1) text += coefficient.get_num().get_str();
@@ -33,6 +37,47 @@ std::string term_text(const Rational& coefficient, std::size_t power, std::strin
     if (power > 1) text += superscript(static_cast<long>(power));
     if (coefficient.get_den() != 1) text += "/" + coefficient.get_den().get_str();
     return text;
+}
+
+constexpr int shown_digits = 4; // significant ones of a rounded number
+
+/// digits · 10^(exponent − 3), with 1000 <= digits < 10000.
+struct ShortDecimal {
+    int digits = 1000;
+    int exponent = 0;
+};
+
+/// The least such number that is not below the value > 0: all digits of the value are looked at, none are parsed back.
+ShortDecimal ceiling(double value) {
+    constexpr int all_digits = 766; // behind the first one: no double has more
+    std::array<char, all_digits + 16> exact;
+    const auto [end, error] =
+        std::to_chars(exact.data(), exact.data() + exact.size(), value, std::chars_format::scientific, all_digits);
+    assert(error == std::errc());
+    const std::string_view text(exact.data(), static_cast<std::size_t>(end - exact.data()));
+    const std::size_t mark = text.find('e');
+    ShortDecimal decimal{.digits = text[0] - '0'};
+    for (int place = 2; place <= shown_digits; ++place)
+        decimal.digits = 10 * decimal.digits + (text[static_cast<std::size_t>(place)] - '0');
+    for (const char digit : text.substr(mark + 2)) decimal.exponent = 10 * decimal.exponent + (digit - '0');
+    if (text[mark + 1] == '-') decimal.exponent = -decimal.exponent;
+    const std::string_view rest = text.substr(shown_digits + 1, mark - shown_digits - 1);
+    if (rest.find_first_not_of('0') == std::string_view::npos) return decimal;
+    if (++decimal.digits == 10000) return {.digits = 1000, .exponent = decimal.exponent + 1};
+    return decimal;
+}
+
+/// As "{:.4g}" writes it; the number may lie beyond the range of doubles.
+std::string general_text(ShortDecimal decimal) {
+    assert(1000 <= decimal.digits && decimal.digits < 10000);
+    std::string digits = std::to_string(decimal.digits);
+    const bool scientific = decimal.exponent < -4 || decimal.exponent >= shown_digits;
+    if (!scientific && decimal.exponent < 0) digits.insert(0, static_cast<std::size_t>(-decimal.exponent), '0');
+    const std::size_t whole = scientific || decimal.exponent < 0 ? 1 : static_cast<std::size_t>(decimal.exponent) + 1;
+    digits.insert(whole, ".");
+    digits.erase(digits.find_last_not_of('0') + 1);
+    if (digits.back() == '.') digits.pop_back();
+    return scientific ? fmt::format("{}e{:+03d}", digits, decimal.exponent) : digits;
 }
 
 } // namespace
@@ -56,6 +101,7 @@ std::vector<std::size_t> TextTable::widths() const {
 }
 
 bool TextTable::fits() const {
+    assert(!columns_.empty());
     std::size_t columns = indent_ + gap_ * (columns_.size() - 1);
     for (const std::size_t width : widths()) columns += width;
     return columns <= line_columns;
@@ -99,6 +145,7 @@ std::string wrapped(std::string_view sentence, std::size_t indent) {
 }
 
 std::string labelled(std::string_view label, std::string_view sentence) {
+    assert(columns_of(label) + 2 < label_columns && "the sentence stands apart from its label");
     std::string text = "  " + std::string(label);
     text.resize(label_columns, ' ');
     return text + wrapped(sentence, label_columns) + '\n';
@@ -109,14 +156,9 @@ std::string rounded(double value) {
 }
 
 std::string rounded_up(double value) {
-    std::string text = rounded(value);
-    if (parse_double(text).value_or(value) >= value) return text;
-    // d.ddde±XX: one unit more in the fourth digit.
-    std::string digits = fmt::format("{:.3e}", value);
-    const std::size_t exponent = digits.find('e');
-    const std::string mantissa = digits.substr(0, 1) + digits.substr(2, exponent - 2);
-    const std::string next = std::to_string(std::stoi(mantissa) + 1) + digits.substr(exponent);
-    return rounded(parse_double(next).value_or(value) / 1000);
+    assert(!(value < 0) && "a bound to the other side is rounded down");
+    if (value == 0 || !std::isfinite(value)) return rounded(value);
+    return general_text(ceiling(value));
 }
 
 std::string exact_text(const Number& number, const NumberField& field, std::string_view generator) {

@@ -47,7 +47,8 @@ private:
 /// Four significant digits: "0.2361", "1.235e-07".
 [[nodiscard]] std::string rounded(double value);
 
-/// The same for an upper bound >= 0: never below the value.
+/// The same for an upper bound >= 0: the least number of four digits that is not below the value, exactly. Above the
+/// largest double it may be one that no double holds: "1.798e+308".
 [[nodiscard]] std::string rounded_up(double value);
 
 /// "2φ−3", "2−φ", "1−φ/2" in the given name of the field's generator; or empty when it takes more than 28 columns.

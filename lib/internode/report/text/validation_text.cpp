@@ -13,7 +13,7 @@ namespace internode {
 namespace {
 
 constexpr std::size_t listed_rules = 12;
-constexpr std::size_t listed_symbols = 8; // of a class
+constexpr std::size_t listed_symbols = 8; // symbols of a class
 
 std::string_view decision_text(Decision decision) {
     switch (decision) {

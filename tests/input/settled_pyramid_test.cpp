@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+//
+// A pyramid of a file, believed: lengths that are positive, an origin that goes with it, and refusals with their place.
+
+#include "internode/input/settled_pyramid.h"
+
+#include "internode/curve/parameter.h"
+#include "tests/fixtures/source_folder.h"
+#include "tests/input/refusals.h"
+
+#include <fstream>
+#include <gmock/gmock.h>
+#include <sstream>
+
+namespace internode::tests {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::string leaf() {
+    std::ifstream file(in_source_folder("data/pyramids/leaf.json"));
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+std::string changed(std::string text, const std::string& from, const std::string& to) {
+    const auto at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+Settled<Pyramid> settle(const std::string& text) {
+    const ParsedPyramid parsed = read_pyramid(text, "p.json");
+    EXPECT_TRUE(parsed.pyramid) << to_string(parsed.errors);
+    return settle_pyramid(parsed.pyramid.value());
+}
+
+TEST(SettledPyramid, RefusesLengthsThatAreNotPositiveAtTheirPlace) {
+    for (const char* const bad : {R"("exact": ["0", "0"])", R"("exact": ["-1", "0"])", R"("exact": ["3", "-2"])"})
+        EXPECT_THAT(refusal_of(settle(changed(leaf(), R"("exact": ["1", "0"])", bad))),
+                    AllOf(testing::ContainsRegex("p.json:[0-9]+:[0-9]+: error"), HasSubstr("must be positive")))
+            << bad;
+}
+
+TEST(SettledPyramid, BeginsWhereItsFileSays) {
+    const std::string with_origin =
+        changed(leaf(), "\"method\":", R"("origin": {"value": 5, "exact": ["5", "0"]}, "method":)");
+    const Settled<Pyramid> pyramid = settle(with_origin);
+    ASSERT_TRUE(pyramid.value) << refusal_of(pyramid);
+    EXPECT_EQ(knot_positions(pyramid.value->coarse).front(), 5);
+    EXPECT_EQ(knot_positions(settle(leaf()).value.value().coarse).front(), 0);
+    EXPECT_THAT(refusal_of(settle(changed(with_origin, R"(["5", "0"])", R"(["5", "0", "1"])"))),
+                HasSubstr("\"origin\" has 3 coefficients"));
+}
+
+TEST(SettledPyramid, RefusesWhatDoesNotFitTogether) {
+    EXPECT_EQ(refusal_of(settle(leaf())), "none");
+    EXPECT_THAT(refusal_of(settle(changed(leaf(), "\"S\": [\"L\"]", "\"S\": [\"S\"]"))), HasSubstr("not valid"));
+    EXPECT_THAT(refusal_of(settle(changed(leaf(), "\"word\": [\"L\"", "\"word\": [\"Q\""))), HasSubstr("`Q`"));
+    EXPECT_THAT(refusal_of(settle(changed(leaf(), "\"word\": [\"L\"", "\"word\": [\"S\""))), HasSubstr("level 1"));
+}
+
+} // namespace
+} // namespace internode::tests
