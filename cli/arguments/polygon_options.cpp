@@ -56,7 +56,7 @@ void CommandReader::add_polygon(CLI::App* app, PolygonOptions& polygon, const Po
         belongings.weights);
     put(app->add_option_function<std::string>(
                "--element", [&polygon](const std::string& text) { polygon.element = whole_number(text); },
-               "Which curve or surface of an OBJ file, from 1")
+               "Which polygon of a file that has several, from 1")
             ->type_name("K")
             ->check(CLI::Validator(whole_number_problem, "")),
         belongings.element);

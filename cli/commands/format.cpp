@@ -4,7 +4,6 @@
 #include "cli/shell/load.h"
 #include "cli/shell/output.h"
 #include "internode/grammar/intervals/print.h"
-#include "internode/grammar/lexing/grammar_kind.h"
 #include "internode/grammar/points/print_points.h"
 
 namespace internode::cli {

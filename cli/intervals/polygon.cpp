@@ -18,13 +18,6 @@ InputPolygon weighted(InputPolygon polygon, const PolygonOptions& options) {
 
 } // namespace
 
-std::vector<InputPolygon> load_polygons(const PolygonOptions& options) {
-    const LoadedText input = load_text(options.place);
-    std::vector<InputPolygon> polygons = value_of(polygons_of_file(input.text, input.source, options.element));
-    for (InputPolygon& polygon : polygons) polygon = weighted(std::move(polygon), options);
-    return polygons;
-}
-
 InputPolygon load_polygon(const PolygonOptions& options) {
     const LoadedText input = load_text(options.place);
     return weighted(value_of(polygon_of_file(input.text, input.source, options.element)), options);

@@ -12,10 +12,8 @@
 
 namespace internode::cli {
 
-/// All polygons of a file, or that of --element, with the weights that --rational finds. \throw Failure: File, Refused
-[[nodiscard]] std::vector<InputPolygon> load_polygons(const PolygonOptions& options);
-
-/// The only one. \throw Failure: File, Refused
+/// The only polygon of a file, or that of --element, with the weights that --rational finds. \throw Failure: File,
+/// Refused
 [[nodiscard]] InputPolygon load_polygon(const PolygonOptions& options);
 
 /// \throw Failure (Refused) for a closed polygon whose last point is the first again

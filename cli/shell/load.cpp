@@ -4,8 +4,7 @@
 
 #include "cli/requests/exit_code.h"
 #include "internode/grammar/bundled.h"
-#include "internode/grammar/lexing/grammar_kind.h"
-#include "internode/grammar/points/parse_points.h"
+#include "internode/grammar/parse.h"
 #include "internode/io/file/input_file.h"
 #include "internode/text/diagnostic.h"
 
@@ -61,13 +60,9 @@ LoadedText load_text(const std::string& place) {
 
 LoadedGrammar load_grammar(const GrammarSource& source) {
     LoadedText text = grammar_text(source);
-    if (kind_of(text.text) == GrammarKind::Points) {
-        ParsedPointGrammar parsed = parse_point_grammar(text.text, text.source);
-        if (!parsed.grammar) throw Failure(ExitCode::Refused, to_string(parsed.errors));
-        return {*std::move(parsed.grammar), std::move(text)};
-    }
-    IntervalGrammar grammar = interval_grammar(text);
-    return {std::move(grammar), std::move(text)};
+    Parsed<Grammar> parsed = parse(text.text, text.source);
+    if (!parsed.grammar) throw Failure(ExitCode::Refused, to_string(parsed.errors));
+    return {*std::move(parsed.grammar), std::move(text)};
 }
 
 IntervalSystem load_system(const GrammarSource& source) {

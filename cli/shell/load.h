@@ -6,13 +6,11 @@
 
 #include "cli/requests/options.h"
 #include "internode/curve/curve.h"
-#include "internode/grammar/intervals/interval_grammar.h"
+#include "internode/grammar/grammar.h"
 #include "internode/grammar/intervals/parse.h"
-#include "internode/grammar/points/point_grammar.h"
 #include "internode/interval/validity.h"
 
 #include <string>
-#include <variant>
 
 namespace internode::cli {
 
@@ -25,7 +23,7 @@ struct LoadedText {
 
 /// A grammar of any kind; commands visit it, and each kind has its handlers.
 struct LoadedGrammar {
-    std::variant<IntervalGrammar, PointGrammar> grammar;
+    Grammar grammar;
     LoadedText text; ///< of the grammar: diagnostics quote it
 };
 

@@ -64,7 +64,7 @@ const std::map<std::string, Words> samples{
     {"--tolerance", {"0.1"}},
     {"--html", {"page.html"}},
     {"--local", {}},
-    {"--window", {"7"}},
+    {"--window", {"9"}},
     {"--threshold", {"9"}},
     {"--keep", {"2"}},
     {"--unclamped", {}},
@@ -89,6 +89,7 @@ const std::map<std::string, Words> samples{
 /// What may change nothing: its effect hangs on the data, or is no byte of a result.
 const std::map<std::string, std::string> may_be_idle{
     {"--color", "paints errors"},
+    {"--element", "for files of several polygons"},
     {"--format", "may name the format that it is anyway"},
     {"--json", "may name the format that it is anyway"},
     {"--svg", "may name the format that it is anyway"},
@@ -124,15 +125,23 @@ std::vector<Words> lines() {
     const Words grid{"subdivide", "--u", "@fibonacci", "--v", "@silver-mean", "data/grids/wave.json", "-n", "1"};
     const Words reverse{"reverse", "@fibonacci", leaf, "-d", "3", "--closed", "--word", "LS", "--repeat", "-n", "2"};
     const Words reversal{"reverse", "@s0/13", leaf, "-n", "1"};
+    const Words open{
+        "reverse", "@fibonacci", "data/curves/signal.csv", "-d", "3", "--word", "LS", "--repeat", "--resample",
+        "-n",      "1"};
     const Words masks{"masks", "@fibonacci", "-d", "2"};
+    const Words own{"--expression", "L -> S L, S -> L"};
     std::vector<Words> all{
         {"validate", "@fibonacci"},
         {"validate", "@s0/13"},
+        {"validate", "@four-point"},
+        joined({"validate"}, own),
         masks,
+        joined({"masks", "-d", "2"}, own),
         joined(masks, {"--automaton"}),
         joined(masks, {"--matrix", "--word", "LSLLSL"}),
         {"masks", "@s0/13"},
         {"masks", "@s0/13", "--automaton"},
+        {"masks", "@four-point"},
         curve,
         joined(curve, {"--limit"}),
         joined(curve, {"--limit", "--derivatives"}),
@@ -142,6 +151,8 @@ std::vector<Words> lines() {
         joined(points, {"--tree"}),
         joined(points, {"--interpreter"}),
         {"subdivide", "@koch", "-n", "1"},
+        {"subdivide", "@four-point", pebble, "-n", "1"},
+        {"subdivide", "@asked-cutting", pebble, "-n", "1"},
         {"subdivide", "@midpoint-displacement", pebble, "-n", "1"},
         {"subdivide", "@s0/34-36", pebble, "-n", "1"},
         grid,
@@ -149,15 +160,22 @@ std::vector<Words> lines() {
         joined(grid, {"--limit", "--normals"}),
         with_format(joined(grid, {"--limit"}), "stl"),
         {"converge", "@fibonacci", "data/curves/fibonacci-open.json", "-n", "2"},
+        joined({"converge", "data/curves/fibonacci-open.json", "-n", "1"}, own),
         reverse,
         joined(reverse, {"--local"}),
+        open,
+        joined({"reverse", leaf, "-d", "2", "-n", "1", "--closed", "--word", "LS", "--repeat"}, own),
         reversal,
         {"reverse", "@s0/13", "--rules"},
+        {"reverse", "@four-point", leaf, "-n", "1"},
         {"compose", "data/pyramids/leaf.json"},
         {"infer", "data/matrices/chaikin.csv"},
         {"infer", "data/matrices/chaikin-open.csv", "--open"},
+        {"infer", "data/matrices/chaikin.csv", "--format", "lsys"},
         {"word", "@fibonacci", "--word", "L", "-n", "3"},
-        {"format", "@fibonacci"},
+        joined({"word", "--word", "L", "-n", "4"}, own),
+        {"format", "@fibonacci", "--format", "text"},
+        joined({"format"}, own),
         {"format", "@koch"},
         {"formats"},
         {"grammars"},
