@@ -5,8 +5,13 @@
 #include "internode/refine.h"
 
 #include "internode/curve/refinement.h"
+#include "internode/grammar/bundled.h"
 #include "internode/grammar/intervals/parse.h"
+#include "internode/grammar/points/parse_points.h"
 #include "internode/interval/validity.h"
+#include "internode/point/interpreter.h"
+#include "internode/point/start_word.h"
+#include "internode/point/strands.h"
 #include "internode/text/limits.h"
 
 #include <gmock/gmock.h>
@@ -106,6 +111,39 @@ TEST(Refine, RefusesDegreesStepsAndPointsThatAreNone) {
     const std::vector<double> three{0, 1, 2};
     EXPECT_THROW((void)refine("A -> A A", three, 2, {}, 1), std::invalid_argument);
     EXPECT_THROW((void)refine("A -> A A", three, 0, {}, 1), std::invalid_argument);
+}
+
+/// The points of a word derived and interpreted module by module.
+std::vector<double> interpreted(const std::string& name, const Points& points, int cycles) {
+    const ParsedPointGrammar parsed = parse_point_grammar(find_bundled_grammar(name)->text, name);
+    const PointSystem system = make_point_system(parsed.grammar.value(), {.start = PointStart::Input}).system.value();
+    std::vector<double> rows;
+    for (const auto& [x, y] : points) rows.insert(rows.end(), {x, y});
+    const Derivation derived = derive(system, input_word(system, rows), static_cast<std::uint64_t>(cycles));
+    const ModuleWord last = interpret(system, derived.word).word;
+    return strands(last, system, system.grammar().interpretations.size()).points;
+}
+
+TEST(Refine, OfAPointGrammarIsItsInterpretation) {
+    for (const char* const name : {"s0/13", "four-point", "corner-cutting", "koch", "midpoint-displacement"})
+        for (const int steps : {0, 1, 3}) {
+            SCOPED_TRACE(name);
+            expect_the_long_way(refine("@" + std::string(name), pentagon, {}, steps),
+                                interpreted(name, pentagon, steps));
+        }
+    EXPECT_EQ(refine("@s0/13", pentagon, {}, 3).size(), 40U);
+    EXPECT_EQ(refine("points\nring\nP(u) < P(v) -> P((u + v)/2) P(v)", pentagon, {}, 1).front(),
+              (std::array<double, 2>{0, 1.5}));
+}
+
+TEST(Refine, OfAPointGrammarSaysWhatIsWrongAndWhere) {
+    EXPECT_THAT(refusal("points\nring\nP(v) -> P(", pentagon, {}), HasSubstr("<grammar>:3:"));
+    EXPECT_THAT(refusal("points\nP(v) -> P(v + 1)", pentagon, {}), HasSubstr("<grammar>:2:"));
+    EXPECT_THAT(refusal("points\nP(v) -> P(v)", pentagon, {}, -1), HasSubstr("-1 steps"));
+    EXPECT_THROW((void)refine("points\nP(v) -> P(v/v.x)", pentagon, {}, 1), std::range_error);
+    EXPECT_THROW((void)refine("@s0/13", pentagon, {.max_points = 39}, 3), LimitExceeded);
+    EXPECT_EQ(refine("@s0/13", pentagon, {.max_points = 40}, 3).size(), 40U);
+    EXPECT_THROW((void)curve_from("@s0/13", std::vector<double>{0, 1}, 2, {}), std::invalid_argument);
 }
 
 TEST(Refine, RefusesMorePointsThanAllowedBeforeItWorks) {

@@ -11,6 +11,7 @@
 #include "cli/arguments/public_command_line.h"
 #include "cli/requests/exit_code.h"
 #include "internode/text/diagnostic.h"
+#include "internode/text/did_you_mean.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "internode/stencil/kernel.h"
+#include "internode/stencil/isa.h"
 
 #include <cstdint>
 #include <optional>

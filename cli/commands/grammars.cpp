@@ -5,6 +5,7 @@
 #include "cli/shell/output.h"
 #include "internode/grammar/bundled.h"
 #include "internode/text/diagnostic.h"
+#include "internode/text/did_you_mean.h"
 
 #include <fmt/format.h>
 

@@ -8,6 +8,7 @@
 #include "internode/io/matrix/fraction_matrix.h"
 #include "internode/report/text/inference_text.h"
 #include "internode/text/diagnostic.h"
+#include "internode/text/printable.h"
 
 #include <fmt/format.h>
 

@@ -7,6 +7,7 @@
 #include "internode/curve/knots.h"
 #include "internode/io/matrix/matrix_market.h"
 #include "internode/report/code/automaton_code.h"
+#include "internode/report/json/automaton_json.h"
 #include "internode/report/json/masks_json.h"
 #include "internode/report/picture/graph_dot.h"
 #include "internode/report/picture/graph_picture.h"

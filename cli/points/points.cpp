@@ -8,6 +8,7 @@
 #include "internode/grammar/points/parse_points.h"
 #include "internode/point/start_word.h"
 #include "internode/text/diagnostic.h"
+#include "internode/text/did_you_mean.h"
 
 #include <fmt/format.h>
 

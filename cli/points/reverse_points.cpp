@@ -16,6 +16,7 @@
 #include "internode/report/picture/reversal_picture.h"
 #include "internode/report/text/reversal_text.h"
 #include "internode/text/diagnostic.h"
+#include "internode/text/printable.h"
 
 #include <fmt/format.h>
 

@@ -13,6 +13,7 @@
 #include "internode/point/compile/fast_derivation.h"
 #include "internode/point/growth.h"
 #include "internode/text/diagnostic.h"
+#include "internode/text/printable.h"
 
 #include <fmt/format.h>
 

@@ -3,6 +3,7 @@
 #include "cli/requests/exit_code.h"
 
 #include "internode/text/diagnostic.h"
+#include "internode/text/printable.h"
 
 namespace internode::cli {
 

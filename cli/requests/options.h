@@ -6,7 +6,7 @@
 
 #include "cli/requests/belonging.h"
 #include "internode/input/settled_contour.h"
-#include "internode/stencil/kernel.h"
+#include "internode/stencil/isa.h"
 
 #include <array>
 #include <cstddef>

@@ -7,6 +7,8 @@
 #include "internode/grammar/parse.h"
 #include "internode/io/file/input_file.h"
 #include "internode/text/diagnostic.h"
+#include "internode/text/did_you_mean.h"
+#include "internode/text/printable.h"
 
 #include <fmt/format.h>
 

@@ -11,11 +11,8 @@
 
 // Text, and what is wrong in it.
 #include "internode/text/diagnostic.h"
-#include "internode/text/did_you_mean.h"
 #include "internode/text/limits.h"
 #include "internode/text/place.h"
-#include "internode/text/printable.h"
-#include "internode/text/utf8.h"
 
 // Words and exact numbers.
 #include "internode/algebra/number.h"
@@ -26,7 +23,6 @@
 
 // Grammars: read, bundled, decided.
 #include "internode/expression/definition.h"
-#include "internode/expression/definition_scope.h"
 #include "internode/expression/expression.h"
 #include "internode/expression/known_number.h"
 #include "internode/expression/limits.h"
@@ -50,10 +46,8 @@
 #include "internode/spline/exact_work.h"
 #include "internode/spline/mask.h"
 #include "internode/stencil/automaton.h"
-#include "internode/stencil/cell_array.h"
 #include "internode/stencil/cell_automaton.h"
-#include "internode/stencil/fused_stencils.h"
-#include "internode/stencil/kernel.h"
+#include "internode/stencil/isa.h"
 #include "internode/stencil/plan.h"
 
 // Curves and grids: refined, in the limit, backwards.

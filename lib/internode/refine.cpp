@@ -8,13 +8,17 @@
 #include "internode/curve/refinement.h"
 #include "internode/grammar/bundled.h"
 #include "internode/grammar/intervals/parse.h"
+#include "internode/grammar/parse.h"
 #include "internode/interval/validity.h"
+#include "internode/refine_points.h"
 #include "internode/text/limits.h"
+#include "internode/text/printable.h"
 
 #include <fmt/format.h>
 
 #include <cassert>
 #include <stdexcept>
+#include <variant>
 
 namespace internode {
 
@@ -27,11 +31,18 @@ std::string_view text_of(std::string_view grammar) {
     return bundled->text;
 }
 
-IntervalSystem system_of(std::string_view grammar) {
-    const ParsedGrammar parsed =
-        parse_grammar(text_of(grammar), grammar.starts_with('@') ? grammar : std::string_view("<grammar>"));
+std::string_view source_of(std::string_view grammar) {
+    return grammar.starts_with('@') ? grammar : std::string_view("<grammar>");
+}
+
+Grammar grammar_of(const RefineRequest& request) {
+    Parsed<Grammar> parsed = parse(request.text, request.source);
     if (!parsed.grammar) throw std::invalid_argument(to_string(parsed.errors));
-    const Verdict verdict = validate(*parsed.grammar);
+    return *std::move(parsed.grammar);
+}
+
+IntervalSystem system_of(const IntervalGrammar& grammar) {
+    const Verdict verdict = validate(grammar);
     if (verdict.system) return *verdict.system;
     std::string reasons = verdict.decision == Decision::Invalid ? "the grammar is not a valid interval system"
                                                                 : "the grammar is too large for exact weights";
@@ -82,13 +93,9 @@ Word word_of(const IntervalSystem& system, std::size_t points, const RefineOptio
     return axiom->word;
 }
 
-} // namespace
-
-Curve curve_from(std::string_view grammar, std::span<const double> points, std::size_t dimension,
-                 const RefineOptions& options) {
-    if (dimension == 0 || points.empty() || points.size() % dimension != 0)
-        throw std::invalid_argument(
-            fmt::format("{} coordinates are not whole points of {} coordinates", points.size(), dimension));
+/// The curve of a polygon before its first step; `points` are whole rows.
+Curve curve_of(const IntervalGrammar& grammar, std::span<const double> points, std::size_t dimension,
+               const RefineOptions& options) {
     if (options.degree < 1 || options.degree > max_degree)
         throw std::invalid_argument(fmt::format("the degree {} is not between 1 and {}", options.degree, max_degree));
     const IntervalSystem system = system_of(grammar);
@@ -101,14 +108,38 @@ Curve curve_from(std::string_view grammar, std::span<const double> points, std::
     throw std::invalid_argument(problems);
 }
 
+std::vector<double> refined(const IntervalGrammar& grammar, const RefineRequest& request) {
+    const RefineOptions& options = request.options;
+    const Curve curve = curve_of(grammar, request.points, request.dimension, options);
+    const RefinementSize size = refined_size(curve, static_cast<std::uint64_t>(request.steps), options.max_points);
+    if (size.exceeded)
+        throw LimitExceeded(
+            fmt::format("{} steps make more than {} points (max_points)", request.steps, options.max_points));
+    return refine(curve, request.steps, options.apply).points();
+}
+
+void require_rows(std::span<const double> points, std::size_t dimension) {
+    if (dimension == 0 || points.empty() || points.size() % dimension != 0)
+        throw std::invalid_argument(
+            fmt::format("{} coordinates are not whole points of {} coordinates", points.size(), dimension));
+}
+
+} // namespace
+
+Curve curve_from(std::string_view grammar, std::span<const double> points, std::size_t dimension,
+                 const RefineOptions& options) {
+    require_rows(points, dimension);
+    const ParsedGrammar parsed = parse_grammar(text_of(grammar), source_of(grammar));
+    if (!parsed.grammar) throw std::invalid_argument(to_string(parsed.errors));
+    return curve_of(*parsed.grammar, points, dimension, options);
+}
+
 std::vector<double> refine(std::string_view grammar, std::span<const double> points, std::size_t dimension,
                            const RefineOptions& options, int steps) {
-    const Curve curve = curve_from(grammar, points, dimension, options);
+    require_rows(points, dimension);
     if (steps < 0) throw std::invalid_argument(fmt::format("{} steps: refinement goes forwards", steps));
-    const RefinementSize size = refined_size(curve, static_cast<std::uint64_t>(steps), options.max_points);
-    if (size.exceeded)
-        throw LimitExceeded(fmt::format("{} steps make more than {} points (max_points)", steps, options.max_points));
-    return refine(curve, steps, options.apply).points();
+    const RefineRequest request{text_of(grammar), source_of(grammar), points, dimension, options, steps};
+    return std::visit([&](const auto& kind) { return refined(kind, request); }, grammar_of(request));
 }
 
 } // namespace internode

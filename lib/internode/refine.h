@@ -4,11 +4,12 @@
 //
 //     const std::vector<std::array<double, 2>> fine = internode::refine(
 //         "L -> S L, S -> L", points, {.degree = 3, .ends = Ends::Circular, .word = "LSLLS"}, 3);
+//     const std::vector<std::array<double, 2>> cut = internode::refine("@s0/13", points, {}, 3);
 //
 // Here the grammar, the word and the polygon are the program's own, so that what is wrong with them is a mistake of the
 // caller: an exception, whose text is what the command would say, with line, column and hint. A program that takes them
 // from its users goes step by step instead, where each fact is a value: grammar/intervals/parse.h, interval/validity.h,
-// curve/curve.h, curve/refinement.h (docs/library.md).
+// curve/curve.h, curve/refinement.h; of a point grammar point/point_system.h, point/interpreter.h (docs/library.md).
 
 #pragma once
 
@@ -24,6 +25,7 @@
 
 namespace internode {
 
+/// A point grammar says itself where its points go and how its ends are: for it the first four have no meaning.
 struct RefineOptions {
     int degree = 3; ///< 1 … 12
     Ends ends = Ends::Open;
@@ -37,14 +39,16 @@ struct RefineOptions {
     ApplyOptions apply{};
 };
 
-/// The curve of a polygon before its first step: `points` are whole rows of `dimension` coordinates. `grammar` is a
-/// text of the language, or the name of a bundled one, "@fibonacci".
+/// The curve of a polygon before its first step: `points` are whole rows of `dimension` coordinates. `grammar` is the
+/// text of an interval grammar, or the name of a bundled one, "@fibonacci".
 /// \throw std::invalid_argument with everything that is wrong with the grammar, the word or the polygon
 [[nodiscard]] Curve curve_from(std::string_view grammar, std::span<const double> points, std::size_t dimension,
                                const RefineOptions& options = {});
 
-/// The points after `steps` >= 0 steps, in rows as before.
-/// \throw std::invalid_argument as above and for fewer steps, LimitExceeded for more than max_points or too many states
+/// The points after `steps` >= 0 steps, in rows as before; of a point grammar after so many cycles and all its
+/// interpretations, in the order of its word: the modules that are one point each.
+/// \throw std::invalid_argument as above and for fewer steps, LimitExceeded for more than max_points or too many
+/// states, std::range_error where a rule of a point grammar leaves the numbers
 [[nodiscard]] std::vector<double> refine(std::string_view grammar, std::span<const double> points,
                                          std::size_t dimension, const RefineOptions& options, int steps);
 

@@ -3,6 +3,7 @@
 // Every limit that refuses is printed by `internode limits`: the constants called max_… are looked up in the sources,
 // and each must stand in the table with its number, or below among those that refuse nothing, with the reason.
 
+#include "internode/stencil/kernel.h"
 #include "tests/cli/command.h"
 #include "tests/fixtures/source_folder.h"
 #include "tests/fixtures/texts.h"

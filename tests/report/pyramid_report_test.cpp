@@ -31,19 +31,6 @@ PyramidReport report_of(Shape shape, std::size_t dimension, std::size_t kept_det
     return pyramid_report(std::move(analysis), std::move(kept), fitting, "<leaf>.csv");
 }
 
-TEST(PyramidReport, MeasuresTheThresholdedPolygonItself) {
-    const PyramidReport report = report_of(Shape::Closed, 2, 5);
-    EXPECT_EQ(detail_count(report.kept), 5u);
-    EXPECT_TRUE(report.thresholded);
-    const std::vector<double> again = synthesise(report.kept).back();
-    EXPECT_EQ(report.kept_error.largest, polygon_error(again, report.analysis.polygons.back(), 2).largest);
-    const PyramidReport whole = report_of(Shape::Closed, 2, 1'000'000);
-    EXPECT_FALSE(whole.thresholded);
-    EXPECT_LT(whole.kept_error.largest, 1e-13);
-    EXPECT_EQ(whole.approximations.size(), 5u);
-    EXPECT_EQ(whole.round_trips.size(), 5u);
-}
-
 TEST(PyramidReport, SaysHowThePolygonWasMadeToFit) {
     EXPECT_THAT(pyramid_text(report_of(Shape::Closed, 2, 5, {Fit::AsMeasured, 20, 20, {}})),
                 HasSubstr("20 points, as measured"));

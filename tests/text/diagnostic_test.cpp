@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 
 #include "internode/text/diagnostic.h"
+#include "internode/text/did_you_mean.h"
+#include "internode/text/printable.h"
 
 #include <gtest/gtest.h>
 

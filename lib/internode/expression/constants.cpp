@@ -6,6 +6,7 @@
 #include "internode/expression/limits.h"
 #include "internode/expression/type.h"
 #include "internode/text/diagnostic.h"
+#include "internode/text/did_you_mean.h"
 
 #include <fmt/format.h>
 

@@ -5,6 +5,7 @@
 #include "internode/curve/parameter.h"
 #include "internode/grammar/lexing/limits.h"
 #include "internode/input/refuse.h"
+#include "internode/text/did_you_mean.h"
 #include "internode/text/number.h"
 
 #include <fmt/format.h>

@@ -177,6 +177,10 @@ private:
     std::vector<PointProblem> problems_;
 };
 
+DefinitionScope PointSystem::scope() const {
+    return {grammar_.definitions, constants_};
+}
+
 bool PointSystem::is_pseudo(std::optional<std::uint32_t> table) const {
     return std::ranges::any_of(rules_of(table),
                                [&](std::uint32_t rule) { return grammar_.rules[rule].predecessor.size() > 1; });

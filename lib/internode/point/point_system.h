@@ -10,7 +10,7 @@
 
 #pragma once
 
-#include "internode/expression/definition_scope.h"
+#include "internode/expression/known_number.h"
 #include "internode/grammar/points/point_grammar.h"
 #include "internode/point/layout.h"
 #include "internode/point/point_settings.h"
@@ -24,6 +24,7 @@
 
 namespace internode {
 
+struct DefinitionScope;
 struct PointPrograms;
 
 class PointSystem {
@@ -33,7 +34,7 @@ public:
     /// The value of a definition without formals: finite.
     [[nodiscard]] const KnownNumber& constant(std::uint32_t definition) const { return constants_[definition]; }
     /// What expressions of the grammar may name; valid as long as the system.
-    [[nodiscard]] DefinitionScope scope() const { return {grammar_.definitions, constants_}; }
+    [[nodiscard]] DefinitionScope scope() const;
     /// Of the words of the derivation (pass 0), or after so many interpretation passes.
     [[nodiscard]] const Layout& layout(std::size_t passes = 0) const { return layouts_[passes]; }
     /// The table of each derivation step of a cycle; without tables, one step without a table.

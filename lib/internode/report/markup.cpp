@@ -3,6 +3,7 @@
 #include "internode/report/markup.h"
 
 #include "internode/text/diagnostic.h"
+#include "internode/text/printable.h"
 
 namespace internode {
 

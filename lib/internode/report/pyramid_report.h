@@ -4,12 +4,10 @@
 
 #pragma once
 
-#include "internode/curve/reverse/pyramid.h"
+#include "internode/curve/reverse/pyramid_errors.h"
 #include "internode/curve/reverse/resampling.h"
-#include "internode/report/generator.h"
 
 #include <string>
-#include <vector>
 
 namespace internode {
 
@@ -18,13 +16,10 @@ struct PyramidReport {
     Fitting fitting;    ///< how the measured polygon became the fine one
     Analysis analysis;  ///< the pyramid with all details
     Pyramid kept;       ///< the pyramid with the details that are kept
-    bool thresholded = false;
-    std::vector<PolygonError> approximations; ///< errors of each level alone, against the fine polygon
-    std::vector<PolygonError> round_trips;    ///< errors of each level put together again from all details
-    PolygonError kept_error;                  ///< error of the fine polygon put together from the kept details
+    PyramidErrors errors;
 };
 
-/// Puts both pyramids together again and measures. `kept` holds some of the details of the analysis.
+/// With the errors measured. `kept` holds some or all of the details of the analysis.
 [[nodiscard]] PyramidReport pyramid_report(Analysis analysis, Pyramid kept, const Fitting& fitting,
                                            const std::string& source);
 

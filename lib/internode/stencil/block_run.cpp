@@ -2,6 +2,7 @@
 
 #include "internode/stencil/block_run.h"
 
+#include "internode/stencil/kernel.h"
 #include "internode/stencil/parallel.h"
 
 #include <algorithm>

@@ -9,19 +9,11 @@
 
 #pragma once
 
+#include "internode/stencil/isa.h"
+
 #include <cstddef>
 
 namespace internode {
-
-/// Which instructions the kernels may use; the results are the same.
-enum class Isa {
-    Best,  ///< the widest that this machine has
-    Plain, ///< instructions that every machine of this architecture has
-    Avx2   ///< AVX2, or plain where the machine has none
-};
-
-/// Best resolved: Plain or Avx2.
-[[nodiscard]] Isa usable(Isa isa);
 
 /// The rows of one cell: `rows` new points from the d+1 parents that start at `parents`.
 template<typename Scalar>

@@ -7,6 +7,8 @@
 
 #pragma once
 
+#include "internode/stencil/cell_array.h"
+#include "internode/stencil/fused_stencils.h"
 #include "internode/stencil/plan.h"
 
 #include <cstdint>

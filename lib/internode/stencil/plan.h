@@ -10,8 +10,8 @@
 
 #pragma once
 
-#include "internode/stencil/cell_array.h"
-#include "internode/stencil/kernel.h"
+#include "internode/stencil/automaton.h"
+#include "internode/stencil/isa.h"
 
 #include <cstdint>
 #include <functional>
@@ -21,6 +21,9 @@
 #include <vector>
 
 namespace internode {
+
+class CellArray;
+class FusedStencils;
 
 struct PlanOptions {
     std::size_t table_bytes =

@@ -7,9 +7,6 @@
 
 #pragma once
 
-#include "internode/text/did_you_mean.h"
-#include "internode/text/printable.h"
-
 #include <cstddef>
 #include <string>
 #include <string_view>

@@ -3,7 +3,7 @@
 // Pyramids: analysis and synthesis are inverse, details can be left out at a measured price, and data that do not fit
 // are refused.
 
-#include "internode/curve/reverse/pyramid.h"
+#include "internode/curve/reverse/pyramid_errors.h"
 
 #include "internode/curve/refinement.h"
 #include "internode/curve/reverse/reverse_step.h"
@@ -187,6 +187,27 @@ TEST(Pyramid, WithoutDetailsIsTheRefinedCoarsePolygon) {
     ASSERT_EQ(errors.size(), 4u);
     EXPECT_EQ(errors.front().largest, polygon_error(smooth, fine, 2).largest);
     EXPECT_EQ(errors.back().largest, 0);
+}
+
+TEST(Pyramid, MeasuresEachLevelAndWhatIsKept) {
+    Random random(3);
+    const Curve coarse = random_curve(random, fibonacci(), 3, Shape::Closed, 6, 2);
+    const std::vector<double> fine = random_numbers(random, 2 * fine_size(coarse, 4));
+    const Analysis analysis = analyse(coarse.knots(), 4, 2, fine);
+    const std::vector<std::vector<double>> again = synthesise(analysis.pyramid);
+
+    const PyramidErrors whole = pyramid_errors(analysis, analysis.pyramid);
+    ASSERT_EQ(whole.round_trips.size(), 5u);
+    for (std::size_t level = 0; level < 5; ++level)
+        EXPECT_EQ(whole.round_trips[level].largest, polygon_error(again[level], analysis.polygons[level], 2).largest);
+    EXPECT_EQ(whole.kept.largest, whole.round_trips.back().largest);
+    EXPECT_LT(whole.kept.largest, 1e-13);
+    ASSERT_EQ(whole.approximations.size(), 5u);
+
+    const Pyramid kept = with_longest(analysis.pyramid, 5);
+    const PyramidErrors some = pyramid_errors(analysis, kept);
+    EXPECT_EQ(some.kept.largest, polygon_error(synthesise(kept).back(), fine, 2).largest);
+    EXPECT_EQ(some.round_trips.back().largest, whole.round_trips.back().largest);
 }
 
 TEST(Pyramid, MeasuresThePolygonErrorPointByPoint) {

@@ -119,8 +119,9 @@ TEST(TextTable, KnowsWhetherItFitsAHundredColumns) {
 }
 
 TEST(TextTable, WrapsAtBlanks) {
-    const std::string text = wrapped(std::string(60, 'a') + " " + std::string(60, 'b') + " c", 2);
-    EXPECT_EQ(text, std::string(60, 'a') + "\n  " + std::string(60, 'b') + " c");
+    const std::string first(60, 'a');
+    const std::string second(60, 'b');
+    EXPECT_EQ(wrapped(first + " " + second + " c", 2), first + "\n  " + second + " c");
     EXPECT_EQ(wrapped(std::string(300, 'a'), 4), std::string(300, 'a'));
     EXPECT_EQ(wrapped("", 4), "");
 }

@@ -207,23 +207,6 @@ PolygonError polygon_error(std::span<const double> a, std::span<const double> b,
     return {std::sqrt(largest), points > 0 ? std::sqrt(sum / static_cast<double>(points)) : 0};
 }
 
-std::vector<PolygonError> approximation_errors(const Analysis& analysis) {
-    const auto levels = static_cast<int>(analysis.pyramid.levels.size());
-    const std::size_t dimension = analysis.pyramid.coarse.dimension();
-    const Hierarchy hierarchy(analysis.pyramid.coarse.knots(), levels);
-    std::vector<std::vector<double>> refined; // of the levels so far, all brought up to the same one
-    for (int level = 0; level <= levels; ++level) {
-        refined.push_back(analysis.polygons[static_cast<std::size_t>(level)]);
-        if (level == levels) break;
-        const GatherMatrix matrix = hierarchy.matrix(level);
-        for (std::vector<double>& polygon : refined) polygon = product(matrix, polygon, dimension);
-    }
-    std::vector<PolygonError> errors;
-    for (const std::vector<double>& polygon : refined)
-        errors.push_back(polygon_error(polygon, analysis.polygons.back(), dimension));
-    return errors;
-}
-
 bool has_loose_ends(const Knots& knots) {
     if (knots.ends() == Ends::Circular) return false;
     const auto d = static_cast<std::size_t>(knots.degree());

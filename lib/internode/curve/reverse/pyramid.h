@@ -73,9 +73,6 @@ struct PolygonError {
 /// Between two polygons of as many points. \throw std::invalid_argument
 [[nodiscard]] PolygonError polygon_error(std::span<const double> a, std::span<const double> b, std::size_t dimension);
 
-/// What each level, 0 … n, is worth alone: its polygon, refined without details, against the fine one.
-[[nodiscard]] std::vector<PolygonError> approximation_errors(const Analysis& analysis);
-
 /// Whether the polygon is open and its ends are not clamped: the first and last points are then ill-conditioned by
 /// nature, and G tells by how much.
 [[nodiscard]] bool has_loose_ends(const Knots& knots);

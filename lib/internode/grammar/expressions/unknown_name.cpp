@@ -4,6 +4,7 @@
 
 #include "internode/grammar/lexing/limits.h"
 #include "internode/text/diagnostic.h"
+#include "internode/text/did_you_mean.h"
 
 #include <cassert>
 

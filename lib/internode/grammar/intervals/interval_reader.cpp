@@ -13,6 +13,7 @@
 #include "internode/grammar/lexing/statement.h"
 #include "internode/grammar/lexing/symbol_hints.h"
 #include "internode/grammar/lexing/word_reader.h"
+#include "internode/text/did_you_mean.h"
 
 #include <algorithm>
 #include <cassert>

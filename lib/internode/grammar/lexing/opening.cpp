@@ -5,6 +5,7 @@
 #include "internode/grammar/lexing/limits.h"
 #include "internode/grammar/lexing/name.h"
 #include "internode/grammar/lexing/word_reader.h"
+#include "internode/text/did_you_mean.h"
 
 #include <algorithm>
 #include <array>

@@ -3,6 +3,7 @@
 #include "internode/grammar/lexing/symbol_hints.h"
 
 #include "internode/text/diagnostic.h"
+#include "internode/text/did_you_mean.h"
 
 #include <cassert>
 

@@ -3,6 +3,7 @@
 #include "internode/grammar/points/cycle_reader.h"
 
 #include "internode/grammar/lexing/limits.h"
+#include "internode/text/did_you_mean.h"
 
 #include <algorithm>
 #include <cassert>

@@ -6,6 +6,7 @@
 #include "internode/grammar/lexing/token_cursor.h"
 #include "internode/grammar/lexing/word_reader.h"
 #include "internode/text/diagnostic.h"
+#include "internode/text/did_you_mean.h"
 
 #include <algorithm>
 #include <cassert>

@@ -17,6 +17,7 @@
 #include "internode/grammar/points/point_rule_reader.h"
 #include "internode/grammar/points/print_points.h"
 #include "internode/grammar/points/template_reader.h"
+#include "internode/text/did_you_mean.h"
 
 #include <algorithm>
 #include <cassert>

@@ -3,6 +3,7 @@
 #include "internode/io/json/json_fields.h"
 
 #include "internode/io/file/limits.h"
+#include "internode/text/did_you_mean.h"
 #include "internode/text/number.h"
 
 #include <algorithm>

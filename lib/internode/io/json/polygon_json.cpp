@@ -5,6 +5,7 @@
 #include "internode/curve/homogeneous.h"
 #include "internode/io/file/limits.h"
 #include "internode/io/json/json_reader.h"
+#include "internode/text/did_you_mean.h"
 #include "internode/text/number.h"
 
 #include <algorithm>

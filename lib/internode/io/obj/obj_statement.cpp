@@ -3,6 +3,7 @@
 #include "internode/io/obj/obj_statement.h"
 
 #include "internode/text/diagnostic.h"
+#include "internode/text/did_you_mean.h"
 
 #include <algorithm>
 #include <array>

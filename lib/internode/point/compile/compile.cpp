@@ -6,6 +6,7 @@
 #include "internode/point/compile/compile.h"
 
 #include "internode/point/compile/state_classes.h"
+#include "internode/stencil/kernel.h"
 
 #include <algorithm>
 #include <array>

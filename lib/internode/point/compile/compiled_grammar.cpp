@@ -3,6 +3,8 @@
 #include "internode/point/compile/compiled_grammar.h"
 
 #include "internode/algebra/double_double.h"
+#include "internode/stencil/fused_stencils.h"
+#include "internode/stencil/kernel.h"
 
 #include <algorithm>
 #include <cassert>

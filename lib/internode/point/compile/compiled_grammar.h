@@ -12,6 +12,7 @@
 #include "internode/point/compile/module_kind.h"
 #include "internode/point/module_word.h"
 #include "internode/stencil/cell_rules.h"
+#include "internode/stencil/fused_stencils.h"
 #include "internode/stencil/plan.h"
 
 #include <cstddef>

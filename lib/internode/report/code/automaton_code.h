@@ -8,7 +8,7 @@
 
 #pragma once
 
-#include "internode/report/code/automaton_export.h"
+#include "internode/report/automaton_export.h"
 #include "internode/report/generator.h"
 
 #include <string>

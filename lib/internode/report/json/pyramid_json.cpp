@@ -63,7 +63,7 @@ void write_level(JsonWriter& json, const PyramidReport& report, std::size_t leve
     json.begin_object().key("points").integer(kept.points).key("inserted").integer(kept.inserted);
     json.key("longest").number(lengths.empty() ? 0 : *std::ranges::max_element(lengths));
     json.key("gain").number(report.analysis.gains[level + 1]);
-    write_error(json, "approximation", report.approximations[level + 1]);
+    write_error(json, "approximation", report.errors.approximations[level + 1]);
     json.key("at").begin_array(line);
     for (const std::size_t point : kept.details.points) json.integer(point);
     json.end_array().key("details");
@@ -85,9 +85,9 @@ std::string pyramid_json(const PyramidReport& report, const Generator& generator
     write_fitting(json, report.fitting);
     write_method(json, report.kept.options);
     json.key("gain").number(report.analysis.gains.front());
-    write_error(json, "approximation", report.approximations.front());
-    write_error(json, "round_trip", report.round_trips.back());
-    write_error(json, "error", report.kept_error);
+    write_error(json, "approximation", report.errors.approximations.front());
+    write_error(json, "round_trip", report.errors.round_trips.back());
+    write_error(json, "error", report.errors.kept);
     json.key("word");
     write_word(json, coarse.word(), coarse.system().alphabet());
     write_origin(json, coarse.knots());

@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include "internode/report/generator.h"
 #include "internode/report/pyramid_report.h"
 
 #include <string>

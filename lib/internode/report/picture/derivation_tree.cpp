@@ -11,6 +11,7 @@
 #include "internode/report/picture/tree_layout.h"
 #include "internode/text/diagnostic.h"
 #include "internode/text/number.h"
+#include "internode/text/printable.h"
 
 #include <algorithm>
 #include <cassert>

@@ -6,6 +6,7 @@
 #include "internode/report/picture/palette.h"
 #include "internode/report/picture/svg.h"
 #include "internode/text/diagnostic.h"
+#include "internode/text/printable.h"
 
 #include <algorithm>
 #include <cassert>

@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include "internode/report/generator.h"
 #include "internode/report/pyramid_report.h"
 
 #include <string>

@@ -4,6 +4,7 @@
 
 #include "internode/report/text/text_table.h"
 #include "internode/text/diagnostic.h"
+#include "internode/text/printable.h"
 
 #include <cmath>
 #include <fmt/format.h>

@@ -7,6 +7,7 @@
 #include "internode/report/text/mask_facts_text.h"
 #include "internode/report/text/text_table.h"
 #include "internode/text/diagnostic.h"
+#include "internode/text/printable.h"
 
 #include <algorithm>
 

@@ -4,6 +4,7 @@
 
 #include "internode/report/text/text_table.h"
 #include "internode/text/diagnostic.h"
+#include "internode/text/printable.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -55,9 +56,9 @@ std::string levels_table(const PyramidReport& report) {
             if (!lengths.empty()) cells[4] = rounded(*std::ranges::max_element(lengths));
         }
         cells.push_back(rounded(report.analysis.gains[level]));
-        cells.push_back(rounded(report.approximations[level].largest));
-        cells.push_back(rounded(report.approximations[level].root_mean_square));
-        cells.push_back(rounded(report.round_trips[level].largest));
+        cells.push_back(rounded(report.errors.approximations[level].largest));
+        cells.push_back(rounded(report.errors.approximations[level].root_mean_square));
+        cells.push_back(rounded(report.errors.round_trips[level].largest));
         table.row(std::move(cells));
     }
     return table.text();
@@ -69,7 +70,7 @@ std::string kept_sentence(const PyramidReport& report) {
     return fmt::format("{} of {} details kept, {} of {} vectors with the coarse points: largest error {}, root mean "
                        "square {}",
                        kept, all, kept + report.kept.coarse.size(), all + report.kept.coarse.size(),
-                       rounded(report.kept_error.largest), rounded(report.kept_error.root_mean_square));
+                       rounded(report.errors.kept.largest), rounded(report.errors.kept.root_mean_square));
 }
 
 } // namespace

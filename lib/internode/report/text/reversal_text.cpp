@@ -5,6 +5,7 @@
 #include "internode/grammar/points/print_points.h"
 #include "internode/report/text/text_table.h"
 #include "internode/text/diagnostic.h"
+#include "internode/text/printable.h"
 
 #include <fmt/format.h>
 

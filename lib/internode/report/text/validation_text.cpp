@@ -5,6 +5,7 @@
 #include "internode/report/text/text_table.h"
 #include "internode/text/diagnostic.h"
 #include "internode/text/number.h"
+#include "internode/text/printable.h"
 
 #include <numeric>
 

@@ -8,7 +8,6 @@
 #pragma once
 
 #include "internode/interval/decomposition_graph.h"
-#include "internode/report/generator.h"
 #include "internode/stencil/automaton.h"
 
 #include <cstddef>
@@ -38,8 +37,5 @@ struct AutomatonExport {
 /// By one word. \throw TooManyStates, TooMuchWork beyond the limits; std::invalid_argument as cell_states()
 [[nodiscard]] AutomatonExport export_automaton(const std::string& name, const IntervalSystem& system, int degree,
                                                const Axiom& word, const ExactLimits& limits);
-
-/// "internode-automaton" version 1 (docs/json.md): states with their windows and children, rows exact and rounded.
-[[nodiscard]] std::string automaton_json(const AutomatonExport& automaton, const Generator& generator);
 
 } // namespace internode

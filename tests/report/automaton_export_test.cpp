@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 
-#include "internode/report/code/automaton_export.h"
+#include "internode/report/automaton_export.h"
 
 #include "internode/report/code/automaton_code.h"
+#include "internode/report/json/automaton_json.h"
 #include "internode/word/factors.h"
 #include "tests/fixtures/interval_systems.h"
 #include "tests/report/systems.h"
