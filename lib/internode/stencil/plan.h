@@ -23,7 +23,7 @@
 namespace internode {
 
 class CellArray;
-class FusedStencils;
+struct FusedStencils;
 
 struct PlanOptions {
     std::size_t table_bytes =
