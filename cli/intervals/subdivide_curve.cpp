@@ -78,7 +78,7 @@ std::vector<std::string> column_names(const SettledCurve& loaded) {
 struct WrittenPoints {
     bool weighted = false;
     std::size_t dimension = 1;
-    std::vector<double> divided; ///< of points with weights, else empty
+    std::vector<double> divided; ///< the rows divided by their weights; empty when points have none
     const std::vector<double>* given = nullptr;
 
     [[nodiscard]] PointsView view() const { return {dimension, divided.empty() ? *given : divided}; }

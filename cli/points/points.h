@@ -17,11 +17,11 @@
 namespace internode::cli {
 
 struct LoadedPoints {
-    LoadedText text; ///< of the grammar: diagnostics quote it
+    LoadedText text; ///< the text of the grammar: diagnostics quote it
     PointSystem system;
-    ModuleWord word; ///< of the polygon, or the axiom
+    ModuleWord word; ///< the word of the polygon, or the axiom
     DeriveOptions derive;
-    std::string name;                 ///< of the grammar, for titles
+    std::string name;                 ///< the name of the grammar, for titles
     std::string start;                ///< base name of the polygon's file, or "the axiom"
     std::size_t polygon_size = 0;     ///< points of the polygon; 0 when the axiom is meant
     std::vector<std::string> columns; ///< names of the polygon's coordinates, when its file gives them

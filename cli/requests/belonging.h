@@ -44,7 +44,7 @@ struct Belonging {
 
 /// An option that stands on the command line.
 struct GivenOption {
-    std::string name; ///< as registered: "--axes"
+    std::string name; ///< the name as registered: "--axes"
     Belonging belonging;
 };
 

@@ -23,7 +23,7 @@ namespace internode::cli {
 /// A format by its name on the command line.
 struct Format {
     std::string_view name;                      ///< "mtx"
-    std::array<std::string_view, 2> extensions; ///< of files, without the point; the second may be empty
+    std::array<std::string_view, 2> extensions; ///< extensions of files, without the point; the second may be empty
     std::string_view called;                    ///< the format in a sentence: "MatrixMarket"
     std::string_view what;                      ///< what a file of the format holds, in one line
 };
@@ -55,8 +55,8 @@ struct FormatUse {
 /// Which output of a command is meant: a row of the table.
 struct OutputOf {
     std::string_view command;
-    std::optional<Kind> kind; ///< as FormatUse::kind
-    std::string_view option;  ///< as FormatUse::option
+    std::optional<Kind> kind; ///< the kind, as FormatUse::kind
+    std::string_view option;  ///< the option, as FormatUse::option
 };
 
 /// The format that --format, or else the extension of -o, asks for; when neither says it `usual`, a format of the row,

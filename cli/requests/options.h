@@ -41,7 +41,7 @@ struct CommonOptions {
     bool quiet = false;
     bool verbose = false;
     int threads = 0;                ///< 0: all of the machine
-    Isa isa = Isa::Best;            ///< of INTERNODE_ISA in the environment
+    Isa isa = Isa::Best;            ///< what INTERNODE_ISA in the environment says
     std::string command_line;       ///< base names, no -o: stands in the outputs
     std::vector<GivenOption> given; ///< the options on the command line, with where they belong
 };
@@ -73,10 +73,10 @@ struct MasksOptions {
     int degree = 0;
     bool all = false;
     bool automaton = false;
-    std::uint64_t steps = 1;             ///< of an automaton: so many at once
-    std::string word;                    ///< of --matrix and of an automaton; empty = the axiom
-    std::optional<std::uint64_t> points; ///< of a point grammar: of the polygon of the matrix
-    std::vector<std::string> settings;   ///< of a point grammar: --set NAME=VALUE
+    std::uint64_t steps = 1; ///< steps that an automaton takes at once
+    std::string word;        ///< the word of --matrix or of an automaton; empty = the axiom, if there is one
+    std::optional<std::uint64_t> points; ///< points of the polygon whose matrix a point grammar gives
+    std::vector<std::string> settings;   ///< --set NAME=VALUE, of a point grammar
 };
 
 /// How the word of a polygon is said on the command line.
@@ -119,11 +119,11 @@ struct SubdivideOptions {
     OutputTarget output;
     std::uint64_t steps = 0;
     bool limit = false;
-    bool derivatives = false; ///< with --limit
+    bool derivatives = false; ///< derivatives are written with the limit
     bool plan = false;
     std::string axes;                     ///< "1,2" of --axes; empty = the first two
     std::array<GridSideOptions, 2> sides; ///< u and v
-    bool normals = false;                 ///< with --limit, of a grid
+    bool normals = false;                 ///< normals of a grid are written with the limit
     PointOptions point;
 
     [[nodiscard]] bool is_grid() const { return !sides[0].grammar.empty() || !sides[1].grammar.empty(); }
@@ -154,9 +154,9 @@ struct ReverseOptions {
     bool unclamped = false;             ///< open ends stay as they are
     std::string coarse;                 ///< a file for the coarse polygon; empty = none
     std::string picture;                ///< a file for the picture of all levels; empty = none
-    std::optional<std::uint64_t> phase; ///< of a point grammar: where the partition of the ring begins
-    bool rules = false;                 ///< of a point grammar: its reverse rules alone
-    std::vector<std::string> settings;  ///< of a point grammar: --set NAME=VALUE
+    std::optional<std::uint64_t> phase; ///< where a point grammar's partition of the ring begins
+    bool rules = false;                 ///< the reverse rules of a point grammar alone
+    std::vector<std::string> settings;  ///< --set NAME=VALUE, of a point grammar
 };
 
 struct InferOptions {
@@ -164,8 +164,8 @@ struct InferOptions {
     OutputTarget output;
     std::optional<std::int64_t> shift; ///< none: the recommended one
     bool open = false;
-    bool long_form = false; ///< of an open curve: rules that need no order
-    std::string name;       ///< of the grammar; empty = that of the file
+    bool long_form = false; ///< the rules of an open curve are to need no order
+    std::string name;       ///< the name of the grammar; empty = that of the file
 };
 
 struct ComposeOptions {

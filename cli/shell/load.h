@@ -24,7 +24,7 @@ struct LoadedText {
 /// A grammar of any kind; commands visit it, and each kind has its handlers.
 struct LoadedGrammar {
     Grammar grammar;
-    LoadedText text; ///< of the grammar: diagnostics quote it
+    LoadedText text; ///< the text of the grammar: diagnostics quote it
 };
 
 /// \throw Failure: File when it cannot be read, Refused with all its errors, Usage for an unknown @name

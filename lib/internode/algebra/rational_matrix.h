@@ -18,7 +18,7 @@ struct RationalEntry {
     friend bool operator==(const RationalEntry&, const RationalEntry&) = default;
 };
 
-using RationalRow = std::vector<RationalEntry>; ///< by ascending column, none twice
+using RationalRow = std::vector<RationalEntry>; ///< entries by ascending column, none twice
 
 struct RationalMatrix {
     std::size_t columns = 0;

@@ -207,7 +207,7 @@ public:
 private:
     struct Table {
         std::vector<DeviationPiece> pieces;
-        std::vector<double> largest; ///< for each β_i its largest Bernstein coefficient over the pieces
+        std::vector<double> largest; ///< the largest Bernstein coefficient of each β_i over the pieces
     };
 
     /// Place j - d + 1: of the window's first letter, and of the first slope jump. Kept non-negative by whole turns of

@@ -39,26 +39,26 @@ enum class Operation : std::uint8_t {
     Constant, ///< pushes the value of the definition number `operand`, which has no formals
     Call,     ///< pops the arguments of the definition number `operand`, pushes its value
 
-    Negate,   ///< a number or a point
-    Add,      ///< two numbers or two points
+    Negate,   ///< pops a number or a point
+    Add,      ///< pops two numbers or two points
     Subtract, ///< the same
-    Multiply, ///< two numbers, or a number and a point in any order
-    Divide,   ///< a number or a point by a number
-    Minimum,  ///< of two numbers; min of more is a chain
+    Multiply, ///< pops two numbers, or a number and a point in any order
+    Divide,   ///< divides a number or a point by a number
+    Minimum,  ///< pops two numbers; min of more is a chain
     Maximum,
-    Floor,      ///< the largest integer that is not larger
-    Absolute,   ///< of a number
-    SquareRoot, ///< of a number
+    Floor,      ///< pushes the largest integer that is not larger
+    Absolute,   ///< pops a number
+    SquareRoot, ///< pops a number
     Point,      ///< pops `operand` >= 2 numbers, pushes the point with these coordinates
     Coordinate, ///< pops a point, pushes its coordinate number `operand`: `v.x` is 0, `v.y` 1, `v.z` 2, `v.w` 3
 
-    Less, ///< of two numbers, like the next five
+    Less, ///< pops two numbers, like the next five
     LessEqual,
     Greater,
     GreaterEqual,
     Equal,
     NotEqual,
-    And, ///< of two truths, both evaluated
+    And, ///< pops two truths, both evaluated
     Or,
     Not,
 };

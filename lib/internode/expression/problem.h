@@ -11,7 +11,7 @@
 namespace internode {
 
 struct ExpressionProblem {
-    SourcePlace place; ///< of the expression, or of what holds it; bytes 0 when the whole text is meant
+    SourcePlace place; ///< the expression, or what holds it; bytes 0 when the whole text is meant
     std::string message;
     std::string hint; ///< may be empty
 };

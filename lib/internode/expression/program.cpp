@@ -224,8 +224,8 @@ private:
     void grow(std::size_t needed) { grow(needed, needed); }
 
     ProgramMaker& maker_;
-    std::span<const Extent> extents_;    ///< of the formals
-    std::vector<std::uint32_t> offsets_; ///< of each formal among the doubles
+    std::span<const Extent> extents_;    ///< the extents of the formals
+    std::vector<std::uint32_t> offsets_; ///< where the doubles of each formal begin
     std::size_t height_ = 0;             ///< doubles on the stack
     Program program_;
 };

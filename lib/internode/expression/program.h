@@ -30,20 +30,20 @@ private:
     friend class Evaluator;
 
     enum class Code : std::uint8_t {
-        Push,           ///< numbers[a] … numbers[a + width)
-        PushFormal,     ///< formals[a] … formals[a + width)
-        PushScaled,     ///< numbers[b] times the formal
-        AddScaled,      ///< the same, added to the top
-        Add,            ///< of width doubles
-        Subtract,       ///< of width doubles
-        Negate,         ///< of width doubles
-        NumberTimesTop, ///< a number, then width doubles
-        TopTimesNumber, ///< width doubles, then a number
-        TopDividedBy,   ///< width doubles, then a number
-        TakeCoordinate, ///< number a of width doubles
-        ApplyOne,       ///< an operation a of one number
-        ApplyTwo,       ///< an operation a of two numbers
-        Call,           ///< the function a, whose arguments are the top `width` doubles
+        Push,           ///< Pushes numbers[a] … numbers[a + width).
+        PushFormal,     ///< Pushes formals[a] … formals[a + width).
+        PushScaled,     ///< Pushes numbers[b] times these formals.
+        AddScaled,      ///< Adds numbers[b] times these formals to the top.
+        Add,            ///< Adds two values of width doubles.
+        Subtract,       ///< Subtracts the top from the value below, width doubles each.
+        Negate,         ///< Negates the top, width doubles.
+        NumberTimesTop, ///< Takes a number and width doubles on it, leaves their product.
+        TopTimesNumber, ///< Takes width doubles and a number on them, leaves their product.
+        TopDividedBy,   ///< Takes width doubles and a number on them, leaves their quotient.
+        TakeCoordinate, ///< Takes width doubles, leaves number a of them.
+        ApplyOne,       ///< Applies the operation a to one number.
+        ApplyTwo,       ///< Applies the operation a to two numbers.
+        Call,           ///< Calls the function a, whose arguments are the top width doubles.
     };
     struct Step {
         Code code;
@@ -72,7 +72,7 @@ public:
 private:
     class Compilation;
     DefinitionScope scope_;
-    std::vector<std::uint64_t> costs_; ///< of each definition
+    std::vector<std::uint64_t> costs_; ///< operations that one use of each definition costs
     std::vector<Program> functions_;
     /// Operations that may still be spent on folding calls; when it is used up calls stay calls.
     std::uint64_t budget_ = max_constant_operations;

@@ -227,10 +227,10 @@ private:
     }
 
     SymbolicReader& reader_;
-    std::span<const Extent> extents_;      ///< of the formals
-    std::span<const std::string> formals_; ///< their names
+    std::span<const Extent> extents_;      ///< the extents of the formals
+    std::span<const std::string> formals_; ///< the names of the formals
     ConstantReading reading_;
-    std::size_t instructions_ = 0; ///< of this expression
+    std::size_t instructions_ = 0; ///< instructions of this expression so far
 };
 
 SymbolicReader::SymbolicReader(const DefinitionScope& scope)

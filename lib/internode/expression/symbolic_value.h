@@ -26,7 +26,7 @@ namespace internode {
 
 struct SymbolicValue {
     bool is_point = false;
-    Symbolic number; ///< of a number
+    Symbolic number; ///< the value, when it is a number
     /// Of a point: formals, ascending, and their coefficients; zero coefficients may stand.
     std::vector<std::pair<std::uint32_t, Symbolic>> coefficients;
     bool has_coordinates = false; ///< a literal point or a coordinate takes part
@@ -69,10 +69,10 @@ private:
     [[nodiscard]] Symbolic opaque(Operation operation, std::vector<Symbolic> arguments);
 
     DefinitionScope scope_;
-    std::vector<std::string> names_;                    ///< of the variables
-    std::vector<std::optional<Recipe>> recipes_;        ///< of the variables that are opaque
-    std::map<std::string, SymbolicVariable> variables_; ///< by key
-    std::vector<std::optional<bool>> stays_;            ///< by definition, once it was asked for
+    std::vector<std::string> names_;                    ///< the names of the variables
+    std::vector<std::optional<Recipe>> recipes_;        ///< how each opaque variable follows
+    std::map<std::string, SymbolicVariable> variables_; ///< the variables by their keys
+    std::vector<std::optional<bool>> stays_;            ///< whether each definition stays a symbol, once asked
     std::size_t work_ = 0;                              ///< products of terms, of all expressions
     std::string undecided_;
 };

@@ -20,7 +20,7 @@ using Extent = std::uint32_t;
 
 struct ExpressionType {
     bool truth = false;
-    Extent extent = 0; ///< of a number or a point
+    Extent extent = 0; ///< the extent of a number or a point
     friend bool operator==(const ExpressionType&, const ExpressionType&) = default;
 };
 

@@ -13,7 +13,7 @@
 namespace internode {
 
 struct BundledGrammar {
-    std::string_view name; ///< as in `@fibonacci`, `@s0/13`
+    std::string_view name; ///< the name after the `@`, as in `@fibonacci`, `@s0/13`
     std::string_view text; ///< the .lsys text, its source in the comments
     GrammarKind kind = GrammarKind::Intervals;
 };

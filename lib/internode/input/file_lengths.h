@@ -35,7 +35,7 @@ struct KnotShape {
     std::size_t points = 0;
     int degree = 1;
     Ends ends = Ends::Open;
-    std::string before{}; ///< of each problem: "along u: "
+    std::string before{}; ///< how each problem begins: "along u: "
 };
 
 /// The word of the knots in the file. \throw Refused with what does not fit

@@ -19,7 +19,7 @@ struct Refusal {
 template<typename Value>
 struct Settled {
     std::optional<Value> value;
-    Refusal refusal; ///< of errors, at least one, iff there is no value
+    Refusal refusal; ///< its errors: at least one iff there is no value
 };
 
 } // namespace internode

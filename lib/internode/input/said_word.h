@@ -15,10 +15,10 @@ namespace internode {
 
 /// How a polygon and its options are called in what is said about them.
 struct Wording {
-    std::string option = "--word";       ///< that says a word
+    std::string option = "--word";       ///< the option that says a word
     std::string thing = "the polygon's"; ///< whose word the file's is
-    std::string before{};                ///< of a sentence: "along u "
-    std::string after{};                 ///< of a phrase: " along u"
+    std::string before{};                ///< how a sentence begins: "along u "
+    std::string after{};                 ///< how a phrase ends: " along u"
     std::string degree_hint = "give -d, or \"degree\" in the polygon's JSON";
 };
 

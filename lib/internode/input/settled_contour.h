@@ -34,10 +34,10 @@ struct ContourOptions {
 inline constexpr std::uint64_t max_contour_levels = 100'000;
 
 struct SettledContour {
-    Knots coarse; ///< of the coarse polygon
+    Knots coarse; ///< the knots of the coarse polygon
     int levels = 0;
     std::size_t dimension = 2;
-    std::vector<double> points; ///< as many as the knots ask for after the levels
+    std::vector<double> points; ///< the fine points, as many as the knots ask for after the levels
     Fitting fitting;
     std::vector<std::string> columns; ///< names of the coordinates, when the file gives them
     std::string source;               ///< the file's name without its folder

@@ -57,7 +57,7 @@ struct Labels {
     Word word;
     EndsChoice ends = EndsChoice::Open;
     Number parameter_origin{};
-    std::string origin{}; ///< of a word that repetition could fit; else empty
+    std::string origin{}; ///< where a word comes from that repetition could fit; else empty
 };
 
 Ends ends_of(EndsChoice ends) {

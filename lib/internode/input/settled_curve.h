@@ -26,7 +26,7 @@ enum class EndsChoice { Unsaid, Open, Closed, Clamped };
 /// What a caller says of a polygon, beside its file.
 struct CurveOptions {
     std::optional<int> degree; ///< none: the file's
-    std::string word;          ///< in the language of grammars; empty = the file's, or the axiom
+    std::string word;          ///< a word in the language of grammars; empty = the file's, or the axiom
     bool repeat = false;       ///< the letters are repeated, and cut at the N or N + d that the points need
     EndsChoice ends = EndsChoice::Unsaid;
     bool rational = false; ///< the last coordinate of each point is its weight
@@ -37,7 +37,7 @@ struct SettledCurve {
     std::vector<std::string> columns; ///< names of the coordinates, when the file gives them
     std::string source;               ///< the file's name without its folder
     Coordinates coordinates = Coordinates::Cartesian;
-    std::string break_text{}; ///< of CSV: what parts the polygon from the one before
+    std::string break_text{}; ///< the lines of a CSV that part the polygon from the one before
 
     /// Coordinates of a point in space.
     [[nodiscard]] std::size_t space_dimension() const {

@@ -21,7 +21,7 @@ namespace internode {
 /// What a caller says of one direction.
 struct GridSideOptions {
     std::optional<int> degree; ///< none: the file's
-    std::string word;          ///< in the language of grammars; empty = the file's, or the axiom
+    std::string word;          ///< a word in the language of grammars; empty = the file's, or the axiom
 };
 
 struct GridOptions {

@@ -39,7 +39,7 @@ struct InputLength {
 };
 
 struct InputPolygon {
-    std::string source;               ///< for diagnostics about what stands here
+    std::string source;               ///< the file's name, for diagnostics about what stands here
     std::size_t dimension = 0;        ///< 1 … max_dimension
     std::vector<double> points;       ///< N rows of `dimension` coordinates, N >= 1, all finite
     std::vector<std::string> columns; ///< names of the coordinates; empty without a header, and for JSON
@@ -47,25 +47,25 @@ struct InputPolygon {
     std::optional<bool> closed;
     std::optional<PlacedText> word_text;                 ///< "word": "SL SL", as --word takes it
     std::optional<std::vector<PlacedText>> word_letters; ///< "word": ["S", "L"]
-    std::vector<InputLength> lengths;                    ///< in the order of the file, no symbol twice
-    std::optional<std::vector<InputNumber>> knots;       ///< at most max_knots
+    std::vector<InputLength> lengths;                    ///< lengths in the order of the file, no symbol twice
+    std::optional<std::vector<InputNumber>> knots;       ///< at most max_knots of them
     std::optional<InputNumber> origin;                   ///< the parameter where the domain begins
     std::vector<double> weights;                         ///< one per point, positive; empty when the file has none
     std::size_t line = 0; ///< where the polygon begins in its file; 0 when it is the whole file
     std::string
-        break_text; ///< of CSV: the lines that part it from what stands before, blank or `> …`, each with its end
+        break_text; ///< the lines of a CSV that part it from what stands before, blank or `> …`, each with its end
 
     [[nodiscard]] std::size_t size() const { return points.size() / dimension; }
 };
 
 struct ParsedPolygon {
     std::optional<InputPolygon> polygon; ///< present iff errors is empty
-    std::vector<Diagnostic> errors;      ///< in the order of the text, at most max_polygon_errors
+    std::vector<Diagnostic> errors;      ///< errors in the order of the text, at most max_polygon_errors
 };
 
 struct ParsedPolygons {
-    std::vector<InputPolygon> polygons; ///< at least one iff errors is empty; of one dimension when of a CSV
-    std::vector<Diagnostic> errors;     ///< in the order of the text, at most max_polygon_errors
+    std::vector<InputPolygon> polygons; ///< at least one iff errors is empty; all of one dimension in a CSV
+    std::vector<Diagnostic> errors;     ///< errors in the order of the text, at most max_polygon_errors
 };
 
 /// Both never throw on any text (but std::bad_alloc). Cost: linear in the text.

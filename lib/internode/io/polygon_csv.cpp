@@ -19,7 +19,7 @@ namespace {
 /// A field of a line: blanks and quotes taken off.
 struct Field {
     std::string_view text;
-    std::size_t offset = 0; ///< of the text in its line
+    std::size_t offset = 0; ///< where the text stands in its line
 };
 
 std::string_view trimmed(std::string_view text, std::string_view blanks) {
@@ -250,9 +250,9 @@ private:
     std::size_t dimension_ = 0;
     std::vector<std::string> columns_;
     bool begun_ = false;        ///< a polygon is open: the next point belongs to it
-    std::string break_text_;    ///< of the polygon to come
+    std::string break_text_;    ///< the break text of the polygon to come
     std::string_view head_;     ///< the last line `> …`
-    std::size_t head_line_ = 0; ///< of head_, while no point has followed; else 0
+    std::size_t head_line_ = 0; ///< the line of head_, while no point has followed; else 0
     std::vector<InputPolygon> polygons_;
     std::vector<Diagnostic> errors_;
 };

@@ -20,22 +20,22 @@ namespace internode {
 /// Where the axis of symmetry lies.
 enum class MaskSymmetry {
     None,
-    Odd, ///< on a coefficient: an odd number of them, a primal scheme
-    Even ///< between two: an even number, a dual scheme
+    Odd, ///< The axis lies on a coefficient: an odd number of them, a primal scheme.
+    Even ///< The axis lies between two: an even number, a dual scheme.
 };
 
 struct MaskProperties {
     std::string symbol;             ///< "1/4 z^-1 (1 + z)^3"
     std::size_t factor_power = 0;   ///< L, the largest with s(z)^L | a(z)
     std::vector<Rational> quotient; ///< a(z) / (z^first s(z)^L), low degree first
-    std::vector<Rational> sums;     ///< of the m residue classes of k, class of k = 0 first
+    std::vector<Rational> sums;     ///< sums of the m residue classes of k, the class of k = 0 first
     bool sums_are_one = false;      ///< all of them, which convergence needs
     std::optional<std::size_t> generation_degree;
     std::optional<std::size_t> reproduction_degree; ///< none when not even constants are
     Rational shift;                                 ///< τ
     bool interpolatory = false;                     ///< one residue class is a single 1: every old point stays
     MaskSymmetry symmetry = MaskSymmetry::None;
-    Rational support_first; ///< of the limit of the unit impulse
+    Rational support_first; ///< where the limit of the unit impulse begins
     Rational support_last;
 };
 

@@ -22,8 +22,8 @@ namespace internode {
 enum class SchemeConvergence { Proved, Refuted, NotDecided };
 
 struct DifferenceScheme {
-    std::size_t order = 1;              ///< l
-    std::vector<Rational> coefficients; ///< of b_l, low degree first
+    std::size_t order = 1;              ///< the order l of the differences
+    std::vector<Rational> coefficients; ///< the coefficients of b_l, low degree first
     JointRadius radius;
 };
 

@@ -33,7 +33,7 @@ struct DeriveOptions {
 
 /// Why a derivation ended early: the place of the rule and what happened, with its numbers.
 struct DerivationProblem {
-    SourcePlace place; ///< of the rule or the expression; bytes 0 when the whole grammar is meant
+    SourcePlace place; ///< the rule or the expression; bytes 0 when the whole grammar is meant
     std::string message;
     std::string hint;
 };

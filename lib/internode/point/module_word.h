@@ -38,7 +38,7 @@ public:
 
 private:
     std::vector<Symbol> letters_;
-    std::vector<std::size_t> first_; ///< of each module's values
+    std::vector<std::size_t> first_; ///< where each module's values begin
     std::vector<double> values_;
 };
 

@@ -218,7 +218,7 @@ private:
     ModuleWriter writer_;
     ModuleWord result_;
     std::optional<DerivationProblem> problem_;
-    std::uint64_t length_ = 0;   ///< of the new word, whether it is stored or not
+    std::uint64_t length_ = 0;   ///< modules of the new word, whether it is stored or not
     std::uint64_t compared_ = 0; ///< letters and values looked at
     std::vector<std::size_t> modules_;
     std::vector<double> formals_;

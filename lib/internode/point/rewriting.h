@@ -17,12 +17,12 @@ namespace internode {
 struct RewritingTask {
     const PointSystem& system;
     std::span<const PointRule> rules;
-    std::size_t set = 0;          ///< of system.programs().sets, to which the rules belong
-    std::size_t table = 0;        ///< of that set
-    std::uint64_t stream = 0;     ///< of the random draws
+    std::size_t set = 0;          ///< the rules' index in system.programs().sets
+    std::size_t table = 0;        ///< the table of that set
+    std::uint64_t stream = 0;     ///< the stream of the random draws
     std::uint64_t first_pair = 0; ///< strict predecessors of several modules begin here or later
-    std::uint64_t rotation = 0;   ///< by which the ring was turned, for the numbers of modules in records and messages
-    std::uint64_t spent = 0;      ///< of options.max_work, by earlier steps
+    std::uint64_t rotation = 0;   ///< how far the ring was turned; records and messages number modules as before
+    std::uint64_t spent = 0;      ///< work of earlier steps, out of options.max_work
 };
 
 /// The new word, or the old one with the problem. Cost: the word times the letters of the rules.

@@ -39,7 +39,7 @@ struct RuleSetPrograms {
 };
 
 struct PointPrograms {
-    std::vector<Program> functions;    ///< of the definitions
+    std::vector<Program> functions;    ///< the functions of the definitions
     std::vector<RuleSetPrograms> sets; ///< 0: the derivation; k: interpretation pass k
     ModuleWord axiom;                  ///< empty without one
 };

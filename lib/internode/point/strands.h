@@ -15,8 +15,8 @@ namespace internode {
 /// The drawing of a word: the modules with exactly one point are joined along their axes (a branch starts at the point
 /// before it, a ring is closed); a module with two points is a line of its own.
 struct PointStrands {
-    std::size_t dimension = 0;  ///< of all points; 0 when there is none
-    std::vector<double> points; ///< of the modules with exactly one point, in the order of the word
+    std::size_t dimension = 0;  ///< coordinates of every point; 0 when there is none
+    std::vector<double> points; ///< the points of modules with exactly one, in the order of the word
     struct Strand {
         std::vector<std::size_t> points; ///< indices of points, at least one
         bool closed = false;

@@ -21,7 +21,7 @@ namespace internode {
 struct WindowRow {
     WindowStencils stencils;
     std::vector<std::uint32_t> children; ///< index in windows of each child window
-    bool persistent = false;             ///< on a cycle of windows, or reached from one
+    bool persistent = false;             ///< the window lies on a cycle of windows, or is reached from one
 };
 
 struct MaskTable {

@@ -45,7 +45,7 @@ public:
     }
 
     [[nodiscard]] std::string_view line() const { return line_; }
-    [[nodiscard]] std::size_t number() const { return number_; } ///< from 1
+    [[nodiscard]] std::size_t number() const { return number_; } ///< the number of that line, from 1
 
     /// A complaint about a piece of the line at hand.
     void refuse(const LinePiece& piece, std::string message, std::string hint = {}) {

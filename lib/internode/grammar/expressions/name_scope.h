@@ -46,8 +46,8 @@ private:
 
 enum class UnknownNames {
     Refused,
-    FirstIsFormal, ///< in an input: its point is the first name that means nothing else
-    AreFormals,    ///< in a rule whose formals could not all be read: what they were is not known
+    FirstIsFormal, ///< Reads an input: its point is the first name that means nothing else.
+    AreFormals,    ///< Reads a rule or a function whose formals could not all be read.
 };
 
 class NameScope {

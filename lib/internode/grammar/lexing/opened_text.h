@@ -22,7 +22,7 @@ namespace internode {
 
 struct OpenedText {
     std::string_view text;
-    GrammarKind kind = GrammarKind::Intervals; ///< as wanted, else as the text says
+    GrammarKind kind = GrammarKind::Intervals; ///< the kind that was wanted, else the one that the text says
     Statements split;
     Opening opening;
 };

@@ -14,7 +14,7 @@ namespace internode {
 template<class Value>
 struct Parsed {
     std::optional<Value> grammar;   ///< present iff errors is empty
-    std::vector<Diagnostic> errors; ///< in the order of their places
+    std::vector<Diagnostic> errors; ///< all errors, in the order of their places
 };
 
 } // namespace internode

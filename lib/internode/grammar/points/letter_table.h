@@ -25,8 +25,8 @@ public:
         : complaints_(complaints) {}
 
     enum class Use {
-        Asked, ///< before an arrow
-        Made,  ///< in an axiom, an input or a successor
+        Asked, ///< a rule asks for it: it stands before an arrow
+        Made,  ///< an axiom, an input or a successor makes it
     };
 
     /// The symbol of a letter with so many parameters, added when it is new.

@@ -25,8 +25,8 @@ struct RawModule {
 };
 
 enum class ModulePlace {
-    Pattern,  ///< before the arrow: no brackets, no powers
-    Template, ///< in an axiom, an input or a successor: brackets have their partners
+    Pattern,  ///< what stands before the arrow: no brackets, no powers
+    Template, ///< what an axiom, an input or a successor makes: brackets have their partners
 };
 
 struct RawModules {

@@ -26,7 +26,7 @@ namespace internode {
 /// `P(1/4 u + 3/4 v)` in an axiom, an input or a successor.
 struct ModuleTemplate {
     Symbol letter{};
-    std::vector<Expression> arguments; ///< as many as the letter has parameters
+    std::vector<Expression> arguments; ///< one argument for each parameter of the letter
     IncidentalPlace place;
     friend bool operator==(const ModuleTemplate&, const ModuleTemplate&) = default;
 };
@@ -34,7 +34,7 @@ struct ModuleTemplate {
 struct PointRule {
     std::string label; ///< may be empty
     std::vector<Symbol> left;
-    std::vector<Symbol> predecessor; ///< at least one; more than one makes a pseudo-L-system
+    std::vector<Symbol> predecessor; ///< at least one letter; more than one makes a pseudo-L-system
     std::vector<Symbol> right;
     /// All formals of left, predecessor and right, module by module, in the order of the text; all different.
     std::vector<std::string> formals;
@@ -70,12 +70,12 @@ struct CycleItem {
 struct PointGrammar {
     std::string name; ///< without control characters; empty when the text gives none
     bool ring = false;
-    Alphabet letters;                                    ///< in the order of their first appearance in the normal form
-    std::vector<std::uint32_t> arity;                    ///< parameters of each letter
-    std::vector<Definition> definitions;                 ///< in the order of the text
-    std::vector<std::string> tables;                     ///< in the order of the text
-    std::vector<PointRule> rules;                        ///< in the order of the text; the first that matches wins
-    std::vector<CycleItem> cycle;                        ///< not empty iff tables is not
+    Alphabet letters;                    ///< the letters in the order of their first appearance in the normal form
+    std::vector<std::uint32_t> arity;    ///< parameters of each letter
+    std::vector<Definition> definitions; ///< constants and functions, in the order of the text
+    std::vector<std::string> tables;     ///< names of the tables, in the order of the text
+    std::vector<PointRule> rules;        ///< rules in the order of the text; the first that matches wins
+    std::vector<CycleItem> cycle;        ///< not empty iff tables is not
     std::vector<std::vector<PointRule>> interpretations; ///< passes after the derivation, one after the other
     std::optional<PointInput> input;                     ///< none: `P(v)`
     std::optional<std::vector<ModuleTemplate>> axiom;

@@ -25,7 +25,7 @@ struct FileError {
         Interrupted  ///< should_stop said so
     };
     Kind kind = Kind::Unreadable;
-    std::string path{};     ///< as the user gave it; "<stdin>", "<stdout>" for `-`
+    std::string path{};     ///< the path as the user gave it; "<stdin>", "<stdout>" for `-`
     std::string message{};  ///< without the path: "no such file"
     std::size_t line = 0;   ///< from 1; 0 when no place is meant
     std::size_t column = 0; ///< from 1, in code points

@@ -16,12 +16,12 @@ inline constexpr std::uint64_t max_file_bytes = std::uint64_t{1} << 30; ///< any
 inline constexpr std::uint64_t max_json_depth = 200;                    ///< brackets open at once
 inline constexpr std::uint64_t max_json_values = 20'000'000;            ///< held in less than 2 GB
 inline constexpr std::uint64_t max_knots = 5'000'000;                   ///< exact numbers, of 100 bytes and more each
-inline constexpr std::uint64_t max_obj_vertices = 40'000'000;           ///< of 32 bytes; and as many indices
-inline constexpr std::uint64_t max_input_degree = 1'000'000;            ///< so that points + degree never wraps
-inline constexpr std::uint64_t max_filter_window = 64;                  ///< intervals of a pyramid's local filters
-inline constexpr std::uint64_t max_matrix_side = 1'000'000;             ///< rows, and columns, of a matrix file
-inline constexpr std::uint64_t max_matrix_entries = 2'000'000;          ///< fractions, of 100 bytes and more each
-inline constexpr std::uint64_t max_polygon_errors = 100;                ///< a table is given up after so many errors
+inline constexpr std::uint64_t max_obj_vertices = 40'000'000;  ///< vertices of 32 bytes each; and as many indices
+inline constexpr std::uint64_t max_input_degree = 1'000'000;   ///< so that points + degree never wraps
+inline constexpr std::uint64_t max_filter_window = 64;         ///< intervals of a pyramid's local filters
+inline constexpr std::uint64_t max_matrix_side = 1'000'000;    ///< rows, and columns, of a matrix file
+inline constexpr std::uint64_t max_matrix_entries = 2'000'000; ///< fractions, of 100 bytes and more each
+inline constexpr std::uint64_t max_polygon_errors = 100;       ///< a table is given up after so many errors
 
 inline constexpr std::array<Limit, 12> input_limits{{
     {"input file", max_file_bytes, "bytes"},

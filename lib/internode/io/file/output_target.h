@@ -19,8 +19,8 @@ struct OutputTarget {
     bool is_stream = false;     ///< direct and not a regular file: a write can wait for the other side
     std::string folder;         ///< otherwise the target is `name` in this folder, links followed
     std::string name;           ///< at most 255 bytes, no slash
-    std::optional<mode_t> mode; ///< of the file that stands there
-    uid_t owner = 0;            ///< of the file that stands there
+    std::optional<mode_t> mode; ///< the mode of the file that stands there
+    uid_t owner = 0;            ///< the owner of the file that stands there
     gid_t group = 0;
     std::optional<FileError> error;
 };

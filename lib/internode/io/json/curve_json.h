@@ -28,8 +28,8 @@ struct CurveOrigin {
 };
 
 struct CurveDocument {
-    std::string version; ///< of internode, for "generator"
-    std::string command; ///< that made the curve, for "generator": base names, no output name
+    std::string version; ///< the version of internode, for "generator"
+    std::string command; ///< the command that made the curve, for "generator": base names, no output name
     std::size_t degree = 1;
     Ends ends = Ends::Open;
     std::vector<std::string> symbols; ///< names of the letters of `word`

@@ -17,15 +17,15 @@ struct GridSide {
     Ends ends = Ends::Open;
     std::vector<std::string> symbols; ///< names of the letters of `word`
     WordView word;
-    std::vector<CurveLength> lengths; ///< of the symbols; those without an exact value are left out
+    std::vector<CurveLength> lengths; ///< lengths of the symbols; those without an exact value are left out
     CurveOrigin origin;               ///< null in the file without an exact value; no key without either
     std::vector<double>
         knots; ///< rounded, for the eye and for a check; null in the file when empty, no key when both are
 };
 
 struct GridDocument {
-    std::string version; ///< of internode, for "generator"
-    std::string command; ///< that made the grid, for "generator": base names, no output name
+    std::string version; ///< the version of internode, for "generator"
+    std::string command; ///< the command that made the grid, for "generator": base names, no output name
     std::array<GridSide, 2> sides;
     std::size_t columns = 1; ///< points in a row
     bool rational = false;

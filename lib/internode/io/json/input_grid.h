@@ -18,7 +18,7 @@
 namespace internode {
 
 struct InputGrid {
-    std::string source;         ///< for diagnostics about what stands here
+    std::string source;         ///< the file's name, for diagnostics about what stands here
     std::size_t rows = 0;       ///< N_u >= 1
     std::size_t columns = 0;    ///< N_v >= 1
     std::size_t dimension = 0;  ///< 1 … max_dimension, the weight included
@@ -30,7 +30,7 @@ struct InputGrid {
 
 struct ParsedGrid {
     std::optional<InputGrid> grid;  ///< present iff errors is empty
-    std::vector<Diagnostic> errors; ///< in the order of the text, at most max_polygon_errors
+    std::vector<Diagnostic> errors; ///< errors in the order of the text, at most max_polygon_errors
 };
 
 /// Never throws on any text (but std::bad_alloc). Cost: linear in the text.

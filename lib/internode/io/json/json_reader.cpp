@@ -54,7 +54,7 @@ struct OpenValue {
     JsonArray items;
     JsonObject members;
     std::set<std::string> keys;
-    std::string key; ///< of the member whose value comes next
+    std::string key; ///< the key of the member whose value comes next
     TextPlace key_place;
 };
 

@@ -24,10 +24,10 @@ class JsonValue;
 struct JsonMember;
 
 struct JsonNumber {
-    std::string text; ///< as it stood: "-0", "1e5", "0.10"
+    std::string text; ///< the number as it stood: "-0", "1e5", "0.10"
 };
 using JsonArray = std::vector<JsonValue>;
-using JsonObject = std::vector<JsonMember>; ///< in the order of the text, no key twice
+using JsonObject = std::vector<JsonMember>; ///< members in the order of the text, no key twice
 
 class JsonValue {
 public:
@@ -56,7 +56,7 @@ private:
 
 struct JsonMember {
     std::string key;
-    TextPlace place; ///< of the key
+    TextPlace place; ///< where the key stands
     JsonValue value;
 };
 

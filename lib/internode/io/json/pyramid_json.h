@@ -29,17 +29,17 @@ struct InputRule {
 };
 
 struct InputPyramid {
-    std::string source; ///< for diagnostics about what stands here
+    std::string source; ///< the file's name, for diagnostics about what stands here
     std::size_t degree = 0;
-    std::string name;               ///< of the grammar
-    std::vector<InputRule> rules;   ///< in the order of the file
-    std::optional<InputWord> axiom; ///< of the grammar
+    std::string name;               ///< the name of the grammar
+    std::vector<InputRule> rules;   ///< the rules of the grammar, in the order of the file
+    std::optional<InputWord> axiom; ///< the axiom of the grammar
     std::vector<InputLength> lengths;
     ReverseOptions options;
-    InputWord word;                    ///< of the coarse polygon
-    std::optional<InputNumber> origin; ///< of its parameter; none in older files
+    InputWord word;                    ///< the word of the coarse polygon
+    std::optional<InputNumber> origin; ///< where its parameter begins; none in older files
     std::size_t dimension = 0;         ///< 1 … max_dimension
-    std::vector<double> points;        ///< of the coarse polygon, at least one row
+    std::vector<double> points;        ///< the points of the coarse polygon, at least one row
     std::vector<PyramidLevel> levels;
 };
 

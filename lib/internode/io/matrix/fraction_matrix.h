@@ -21,7 +21,7 @@ namespace internode {
 
 struct ParsedFractionMatrix {
     std::optional<RationalMatrix> matrix; ///< present iff errors is empty; at least one row and one column
-    std::vector<Diagnostic> errors;       ///< in the order of the text, at most max_polygon_errors
+    std::vector<Diagnostic> errors;       ///< errors in the order of the text, at most max_polygon_errors
 };
 
 /// All three never throw on any text (but std::bad_alloc). Cost: linear in the text, times log of a row's entries.

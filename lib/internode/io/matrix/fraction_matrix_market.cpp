@@ -213,7 +213,7 @@ private:
     bool full_ = false;
     std::uint64_t expected_ = 0; ///< entries announced
     std::uint64_t entries_ = 0;  ///< entries kept
-    std::uint64_t row_ = 0;      ///< of the next value of an array
+    std::uint64_t row_ = 0;      ///< the row of the next value of an array
     std::uint64_t column_ = 0;
     RationalMatrix matrix_;
 };

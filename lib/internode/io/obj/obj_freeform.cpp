@@ -371,8 +371,8 @@ private:
     bool in_plane_curve_ = false;
     std::uint64_t texture_vertices_ = 0;
     std::uint64_t normals_ = 0;
-    std::uint64_t indices_ = 0; ///< of all elements
-    std::uint64_t knots_ = 0;   ///< of all elements
+    std::uint64_t indices_ = 0; ///< indices of all elements
+    std::uint64_t knots_ = 0;   ///< knots of all elements
     std::size_t known_offset_ = 0;
     TextPlace known_place_;
 };

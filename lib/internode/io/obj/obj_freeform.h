@@ -29,31 +29,31 @@ namespace internode {
 struct FreeFormDirection {
     std::size_t degree = 0;
     std::size_t points = 0;
-    std::vector<Rational> knots; ///< as they stand: whether they ascend is for curve/knot_vector.h to say
+    std::vector<Rational> knots; ///< knots as they stand: whether they ascend is for curve/knot_vector.h to say
 };
 
 struct FreeForm {
-    TextPlace place; ///< of its `curv` or `surf`
+    TextPlace place; ///< where its `curv` or `surf` stands
     bool rational = false;
     FreeFormDirection u;
-    std::optional<FreeFormDirection> v;  ///< of a surface
-    std::vector<std::uint32_t> vertices; ///< from 0; point (i, j) is vertices[i + j · u.points]
+    std::optional<FreeFormDirection> v;  ///< the second direction of a surface
+    std::vector<std::uint32_t> vertices; ///< indices from 0; point (i, j) is vertices[i + j · u.points]
 };
 
 struct FreeFormFile {
     std::string source;
     std::vector<double> vertices;   ///< rows x, y, z, w
-    std::vector<FreeForm> elements; ///< in the order of the file, at least one
+    std::vector<FreeForm> elements; ///< elements in the order of the file, at least one
 };
 
 struct ParsedFreeForms {
     std::optional<FreeFormFile> file; ///< present iff errors is empty
-    std::vector<Diagnostic> errors;   ///< in the order of the text, at most max_polygon_errors
+    std::vector<Diagnostic> errors;   ///< errors in the order of the text, at most max_polygon_errors
 };
 
 struct ObjLimits {
-    std::uint64_t vertices = max_obj_vertices; ///< and of the indices of all elements
-    std::uint64_t knots = max_knots;           ///< of all elements
+    std::uint64_t vertices = max_obj_vertices; ///< vertices of the file, and the indices of all elements
+    std::uint64_t knots = max_knots;           ///< knots of all elements
 };
 
 /// Never throws on any text (but std::bad_alloc). Cost: linear in the text. Weights of rational elements are positive,

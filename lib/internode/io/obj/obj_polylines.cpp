@@ -20,7 +20,7 @@ constexpr std::size_t row = 3;            // x, y, z
 constexpr std::size_t longest_line = 256; // indices that write_obj puts into an `l`
 
 struct Polyline {
-    std::size_t line = 0; ///< of the text
+    std::size_t line = 0; ///< the line of the text where it begins
     std::vector<std::size_t> vertices;
     std::size_t last_count = 0; ///< indices of its last `l`
 };
@@ -158,7 +158,7 @@ private:
     std::vector<double> vertices_;
     std::vector<Polyline> polylines_;
     bool may_go_on_ = false;
-    std::uint64_t indices_ = 0; ///< of all polylines
+    std::uint64_t indices_ = 0; ///< indices of all polylines
     std::size_t known_offset_ = 0;
     TextPlace known_place_;
     std::vector<Diagnostic> errors_;

@@ -15,7 +15,7 @@ namespace internode {
 
 struct ObjWord {
     std::string_view text;
-    std::size_t offset = 0; ///< in the whole text
+    std::size_t offset = 0; ///< where the word stands in the whole text
 };
 
 class ObjWords {

@@ -26,11 +26,11 @@ enum class InputPart { First, Each, Last };
 /// Which argument of which module of a grammar.
 struct ArgumentPlace {
     GrammarPart part = GrammarPart::Rule;
-    std::uint32_t pass = 0; ///< of an interpretation, from 0
+    std::uint32_t pass = 0; ///< number of the interpretation pass, from 0
     std::uint32_t rule = 0; ///< index among the rules, or the rules of the pass
     InputPart input = InputPart::Each;
-    std::uint32_t module = 0;   ///< of the successor, the axiom or the input
-    std::uint32_t argument = 0; ///< of the module
+    std::uint32_t module = 0;   ///< number of the module in the successor, the axiom or the input
+    std::uint32_t argument = 0; ///< number of the argument in the module
     friend bool operator==(const ArgumentPlace&, const ArgumentPlace&) = default;
 };
 
@@ -44,7 +44,7 @@ enum class AffineVerdict {
 
 struct AffineFinding {
     ArgumentPlace where;
-    SourcePlace place; ///< of the expression
+    SourcePlace place; ///< the expression
     AffineVerdict verdict = AffineVerdict::Affine;
     std::string sum;    ///< "5/4", "1 - 2 t"; empty when it is not known or mixes coordinates
     std::string reason; ///< why it is not decided

@@ -189,13 +189,13 @@ private:
     }
 
     const PointSystem& system_;
-    std::vector<std::vector<LetterRules>> letters_; ///< by table
+    std::vector<std::vector<LetterRules>> letters_; ///< what the rules say of each letter, by table
     std::vector<bool> used_;
     std::size_t points_ = 0;
     std::uint64_t step_ = 0;
     std::uint64_t work_ = 0;
-    bool multiplied_ = false;  ///< in the derivation that is being looked at
-    bool left_inside_ = false; ///< a point that stays inside a word
+    bool multiplied_ = false;  ///< the derivation at hand has made points of points
+    bool left_inside_ = false; ///< it has met a point that stays inside a word
     Coverage coverage_;
 };
 

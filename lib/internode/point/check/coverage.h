@@ -21,23 +21,23 @@ namespace internode {
 struct StayingContext {
     std::optional<std::uint32_t> table; ///< whose rules these are; none without tables
     Symbol letter{};
-    Word left; ///< before the module on its axis, as far as rules for the letter look, in the order of the word
+    Word left; ///< letters before the module on its axis, as far as rules for its letter look, in the order of the word
     Word right;
     bool outermost = false;   ///< the first or the last point of an open axis: an end that stays
     std::size_t smallest = 0; ///< number of input points of the first derivation with it; 0: the axiom
-    std::size_t largest = 0;  ///< of the last
-    std::uint64_t step = 0;   ///< of the first, from 0
-    std::size_t module = 0;   ///< of the word before that step, from 0
+    std::size_t largest = 0;  ///< the same of the last derivation with it
+    std::uint64_t step = 0;   ///< the step of the first derivation that meets it, from 0
+    std::size_t module = 0;   ///< number of the module in the word before that step, from 0
 };
 
 struct Coverage {
     std::size_t points = 0;              ///< inputs of 1 … so many points were derived; 0: the axiom alone
-    std::uint64_t cycles = 0;            ///< at most so many each
-    std::vector<StayingContext> staying; ///< in the order in which they were found, at most 100
+    std::uint64_t cycles = 0;            ///< cycles that each derivation runs at most
+    std::vector<StayingContext> staying; ///< contexts in the order in which they were found, at most 100
     std::vector<std::uint32_t> unused;   ///< rules that were never applied
     /// Numbers of input points (0: the axiom) from which no point inside the word stays, while others multiply.
     std::vector<std::size_t> complete;
-    std::vector<std::size_t> incomplete; ///< from which one does
+    std::vector<std::size_t> incomplete; ///< numbers of input points from which one does stay
     /// Nothing stays inside the word for some number of points, or nothing multiplies at all: a grammar for polygons of
     /// three points need not know what to do with four.
     bool ends_complete = true;

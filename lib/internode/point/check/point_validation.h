@@ -27,8 +27,8 @@ namespace internode {
 struct CompilationFacts {
     bool compiles = false;
     std::vector<ExactStop> reasons;   ///< why not
-    std::size_t states = 0;           ///< of the automaton
-    std::optional<UniformMask> mask;  ///< of one cycle, away from ends, when it is the same everywhere
+    std::size_t states = 0;           ///< states of the automaton
+    std::optional<UniformMask> mask;  ///< the mask of one cycle, when it is the same everywhere but at ends
     std::optional<IntervalTwin> twin; ///< the interval grammar with the same automaton
 };
 

@@ -32,7 +32,7 @@ struct CellPiece {
 /// A cell that a cell becomes: its piece, and the rows of all cells in that piece over the parents round the old cell.
 struct PieceChild {
     CellPiece piece;
-    std::ptrdiff_t first = 0; ///< of the rows, relative to the child
+    std::ptrdiff_t first = 0; ///< the cell of the first row, relative to the child
     std::vector<CellRow> rows;
 };
 

@@ -49,8 +49,8 @@ public:
     /// How large the word is after `cycles` cycles: saturating at 2^62.
     struct WordSize {
         std::uint64_t points = 0;
-        std::uint64_t modules = 0; ///< where points is not 0
-        std::uint64_t numbers = 0; ///< of all modules, without their points
+        std::uint64_t modules = 0; ///< modules of the word, where points is not 0
+        std::uint64_t numbers = 0; ///< numbers of all modules, without those of their points
     };
     [[nodiscard]] WordSize size(std::uint64_t cycles) const;
 
@@ -65,7 +65,7 @@ private:
     class Fusion;
     /// The rows of the cells round a child, over the parents round its cell.
     struct Surroundings {
-        std::ptrdiff_t first = 0; ///< of the cells, relative to the child
+        std::ptrdiff_t first = 0; ///< the first of the cells, relative to the child
         std::vector<CellRow> rows;
     };
     /// The modules that a cell owns.

@@ -18,7 +18,7 @@ namespace internode {
 struct ExploredState {
     CellPiece piece;
     std::vector<PieceChild> children;
-    std::vector<std::uint32_t> states; ///< of the children, as many
+    std::vector<std::uint32_t> states; ///< the states of the children, one each
 };
 
 struct Exploration {

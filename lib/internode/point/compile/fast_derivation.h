@@ -29,7 +29,7 @@ struct DerivationStart {
 
 struct FastOptions {
     DeriveOptions derive;
-    ApplyOptions apply;            ///< of the automaton
+    ApplyOptions apply;            ///< how the automaton is applied
     bool interpreter_only = false; ///< the reference way
 };
 
@@ -42,7 +42,7 @@ struct TooLargeWord {
 struct FastDerivation {
     std::optional<ModuleWord> word; ///< before its interpretation; none: `problem` or `too_large` says why
     std::optional<DerivationProblem> problem;
-    std::optional<TooLargeWord> too_large; ///< for derive.max_modules
+    std::optional<TooLargeWord> too_large; ///< the size of a word beyond derive.max_modules
     /// Why the grammar does not compile, where that was asked for and the interpreter ran instead.
     std::optional<ExactStop> interpreted;
 };

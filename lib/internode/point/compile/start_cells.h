@@ -28,7 +28,7 @@ inline constexpr std::size_t many_points = std::size_t{1} << 20;
 struct CompileLimits {
     std::size_t side = max_compiled_side;
     std::size_t states = max_compiled_states;
-    std::uint64_t work = max_compile_work; ///< as an ExactBudget counts
+    std::uint64_t work = max_compile_work; ///< exact work, as an ExactBudget counts it
 };
 
 /// Points of the start word that are looked at with pieces of `side` modules to each side: the others have the cells of

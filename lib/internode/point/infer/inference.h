@@ -39,13 +39,13 @@ struct InferenceProblem {
 struct ShiftedProduction {
     std::ptrdiff_t shift = 0;
     PointProduction production; ///< contexts as short as the stencils allow
-    Rational own_weight;        ///< of the strict predecessor in all its new points: large when these lie near it
+    Rational own_weight;        ///< weight of the strict predecessor in all its new points: large when they lie near
 };
 
 /// What the regular rows say.
 struct RowPattern {
-    std::size_t rows = 0;    ///< of the matrix
-    std::size_t columns = 0; ///< n, the old points
+    std::size_t rows = 0;    ///< rows of the matrix, the new points
+    std::size_t columns = 0; ///< columns of the matrix, the n old points
     /// m of them: new point m q + r is stencils[r] about old point q, whatever the shift.
     std::vector<PointStencil> stencils;
     std::vector<std::size_t> not_affine; ///< rows of the matrix whose weights do not sum to 1, ascending
@@ -99,9 +99,9 @@ struct InferredOpenPattern {
 /// point takes all rows before those of the second, the last all that are left.
 struct OpenProductions {
     ShiftedProduction inner;
-    std::vector<PointProduction> first; ///< of old points 0, 1, …, each with the marker in its left context
-    std::vector<PointProduction> last;  ///< of the last old point, the one before it, …, with the marker on the right
-    std::size_t least_points = 0;       ///< from which on both forms say what the matrix says
+    std::vector<PointProduction> first; ///< productions of old points 0, 1, …, each with the marker on the left
+    std::vector<PointProduction> last;  ///< those of the last old point, the one before it, …: marker on the right
+    std::size_t least_points = 0;       ///< old points from which on both forms say what the matrix says
 };
 
 struct InferredOpenProductions {

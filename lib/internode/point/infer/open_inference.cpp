@@ -26,7 +26,7 @@ struct Run {
     std::size_t arity = 0;
     std::size_t begin = 0;
     std::size_t count = 0;
-    [[nodiscard]] std::size_t end() const { return begin + count + arity; } ///< of the rows of the pattern
+    [[nodiscard]] std::size_t end() const { return begin + count + arity; } ///< one past the last row of the pattern
 };
 
 Run longest_run(const RationalMatrix& matrix, std::size_t arity) {

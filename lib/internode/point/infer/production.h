@@ -20,7 +20,7 @@
 namespace internode {
 
 struct StencilTerm {
-    std::ptrdiff_t offset = 0; ///< of the old point, from the first module of the strict predecessor
+    std::ptrdiff_t offset = 0; ///< how far the old point lies right of the strict predecessor's first module
     Rational weight;           ///< not zero
     friend bool operator==(const StencilTerm&, const StencilTerm&) = default;
 };
@@ -30,7 +30,7 @@ using PointStencil = std::vector<StencilTerm>;
 
 struct PointProduction {
     std::size_t left = 0;   ///< modules P of the left context
-    std::size_t strict = 1; ///< of the strict predecessor, at least 1
+    std::size_t strict = 1; ///< modules P of the strict predecessor, at least 1
     std::size_t right = 0;
     bool after_marker = false;  ///< `#` stands before the left context
     bool before_marker = false; ///< `#` stands after the right context

@@ -21,14 +21,14 @@ namespace internode {
 
 struct ReversedLevel {
     std::vector<double> points; ///< the coarse polygon, rows of coordinates
-    double largest_error = 0;   ///< of f - P c, Euclidean, at the fine points
-    double rms_error = 0;       ///< root of the mean of its squares
+    double largest_error = 0;   ///< the largest Euclidean length in f - P c, over the fine points
+    double rms_error = 0;       ///< the root of the mean of the squares of these lengths
 };
 
 struct ReversalOptions {
     std::size_t dimension = 2;
     std::uint64_t levels = 1;
-    std::uint64_t phase = 0; ///< of every level; counted round the ring
+    std::uint64_t phase = 0; ///< the phase of every level, counted round the ring
 };
 
 /// The levels from the finest coarse polygon down. Sums run in the order of the window. Cost: linear.

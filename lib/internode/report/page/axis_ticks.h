@@ -16,7 +16,7 @@ enum class Scale {
 };
 
 struct Tick {
-    double place = 0; ///< on the axis: the value, or its decimal logarithm
+    double place = 0; ///< the place on the axis: the value, or its decimal logarithm
     std::string label;
 };
 
