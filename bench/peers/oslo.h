@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Rows of a cubic refinement matrix from knots in doubles (the Oslo algorithm in the form of Lyche and Mørken):
-// fine point j is the blossom of the piece over the coarse interval of fine[j] at fine[j+1], fine[j+2], fine[j+3].
+// Rows of a cubic refinement matrix from knots in doubles (the Oslo algorithm in the form of Lyche and Mørken). Fine
+// point j is the blossom of the piece over the coarse interval of fine[j] at fine[j+1], fine[j+2], fine[j+3].
 
 #pragma once
 

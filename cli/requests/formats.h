@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The formats that the command writes, as one table, and which command writes which. The default of a command, the
-// check of --format and of the extension of -o, the list in --help and `internode formats` all read it; the handler of
+// check of --format and of the extension of -o, the list in --help and `internode formats` all read it. The handler of
 // a kind has a writer for each format of its row.
 
 #pragma once

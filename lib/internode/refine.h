@@ -6,9 +6,9 @@
 //         "L -> S L, S -> L", points, {.degree = 3, .ends = Ends::Circular, .word = "LSLLS"}, 3);
 //     const std::vector<std::array<double, 2>> cut = internode::refine("@s0/13", points, {}, 3);
 //
-// Here the grammar, the word and the polygon are the program's own, so that what is wrong with them is a mistake of the
-// caller: an exception, whose text is what the command would say, with line, column and hint. A program that takes them
-// from its users goes step by step instead, where each fact is a value: grammar/intervals/parse.h, interval/validity.h,
+// Here the grammar, the word and the polygon are the program's own. What is wrong with them is a mistake of the caller:
+// an exception, whose text is what the command would say, with line, column and hint. A program that takes them from
+// its users goes step by step instead, where each fact is a value: grammar/intervals/parse.h, interval/validity.h,
 // curve/curve.h, curve/refinement.h; of a point grammar point/point_system.h, point/interpreter.h (docs/library.md).
 
 #pragma once

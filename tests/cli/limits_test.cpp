@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Every limit that refuses is printed by `internode limits`: the constants called max_… are looked up in the sources,
+// Every limit that refuses is printed by `internode limits`. The constants called max_… are looked up in the sources,
 // and each must stand in the table with its number, or below among those that refuse nothing, with the reason.
 
 #include "internode/stencil/kernel.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // No option is accepted that does nothing. The options are those that --help of each command lists, the lines below
-// stand for every kind of grammar and every form of output; each option is put on each line, and the command must then
+// stand for every kind of grammar and every form of output. Each option is put on each line, and the command must then
 // refuse it (exit 2) or do something else than before. The few that may change nothing are listed with their reason.
 
 #include "tests/cli/command.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What README shows is what the commands print: every indented `$ internode …` is run, and the indented lines below it
+// What README shows is what the commands print. Every indented `$ internode …` is run, and the indented lines below it
 // must be its output, up to a line with nothing but `…` where README leaves the rest out.
 
 #include "tests/cli/command.h"

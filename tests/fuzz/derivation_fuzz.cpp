@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Any bytes that are a point grammar and a system are derived and interpreted: nothing crashes, words and work keep
+// Any bytes that are a point grammar and a system are derived and interpreted. Nothing crashes, words and work keep
 // their limits, what was predicted is what comes, all numbers are finite, and everything is the same the second time.
 
 #include "internode/grammar/points/parse_points.h"

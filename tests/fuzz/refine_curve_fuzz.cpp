@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Any bytes as a file of polygons, to the refined curves and their limits: refused with a sentence, or refined to the
-// number of points that was foretold; the knots keep their origin and stay finite.
+// number of points that was foretold. The knots keep their origin and stay finite.
 
 #include "internode/curve/limit.h"
 #include "internode/curve/parameter.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Any bytes as the file of a grid, to the refined grid: refused with a sentence, or refined to as many points as the
-// words ask for, all of them over knots that keep their origins.
+// words ask for. The knots keep their origins.
 
 #include "internode/input/polygon_file.h"
 #include "internode/input/settled_grid.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the targets share that go from the bytes of a file to the refined result: which inputs are small enough that
-// the mathematics takes no time to speak of, and the last byte as a choice of grammar and options.
+// What the targets share that go from the bytes of a file to the refined result. They share which inputs are small
+// enough that the mathematics takes no time to speak of, and the last byte as a choice of grammar and options.
 
 #pragma once
 

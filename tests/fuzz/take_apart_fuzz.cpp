@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Any bytes as a file of one polygon that is taken apart and put together again: refused with a sentence, or coarse
-// polygon and details give as many points back, and its pyramid's JSON is read as the same pyramid.
+// Any bytes as a file of one polygon that is taken apart and put together again. It is refused with a sentence, or
+// coarse polygon and details give as many points back, and its pyramid's JSON is read as the same pyramid.
 
 #include "internode/input/polygon_file.h"
 #include "internode/input/settled_contour.h"

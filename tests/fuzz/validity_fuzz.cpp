@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Any bytes as a small grammar: the decision gives reasons or a system, the system satisfies ρ a = M a with a > 0, and
-// the rows of a window sum to 1, those of its children without a negative weight.
+// Any bytes as a small grammar: the decision gives reasons or a system, the system satisfies ρ a = M a with a > 0. The
+// rows of a window sum to 1, those of its children without a negative weight.
 //
 // Bytes: degree, number of symbols, then per symbol a length and its letters; what is left is the window.
 

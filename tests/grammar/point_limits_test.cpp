@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What is too large in a point grammar is refused with its number, and hostile sizes are met in linear time and bounded
-// memory: each of these texts would hang, overflow the stack or exhaust memory if it were not.
+// memory. Each of these texts would hang, overflow the stack or exhaust memory if it were not.
 
 #include "internode/grammar/lexing/limits.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What is called proved is compared without rounding: of schemes with two rows the spectral radii of all products are
+// What is called proved is compared without rounding. Of schemes with two rows the spectral radii of all products are
 // roots of quadratic equations, so that each bound is a question about the sign of a rational.
 
 #include "internode/mask/joint_radius.h"

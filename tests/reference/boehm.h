@@ -4,7 +4,7 @@
 //
 // A spline of degree d with n control points has n + d + 1 knots; point i has the support knots[i] … knots[i+d+1].
 // Inserting x into the interval k, d <= k < n: for i = k-d+1 … k the new point is (1 - α) p_{i-1} + α p_i with
-// α = (x - t_i) / (t_{i+d} - t_i); points before stay, points after move one place.
+// α = (x - t_i) / (t_{i+d} - t_i). Points before stay, points after move one place.
 
 #pragma once
 

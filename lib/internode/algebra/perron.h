@@ -2,7 +2,7 @@
 //
 // The spectral radius of a non-negative integer matrix, exactly or between certified bounds.
 //
-// Exact: ρ is the largest real root of the characteristic polynomial; its minimal polynomial is the irreducible factor
+// Exact: ρ is the largest real root of the characteristic polynomial. Its minimal polynomial is the irreducible factor
 // p that has this root, so two radii are equal iff factors and roots are (Berman and Plemmons, ch. 2, for what follows
 // from it). Bounds: min_i (Mx)_i / x_i <= ρ <= max_i (Mx)_i / x_i for every x > 0 (Collatz and Wielandt), here for an
 // irreducible block, with directed rounding.

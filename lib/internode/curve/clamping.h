@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // An open curve with clamped ends: the same curve over the same domain, its end knots inserted until they have
-// multiplicity d+1 outside and the curve begins and ends at its first and last control point.
+// multiplicity d+1 outside. It then begins and ends at its first and last control point.
 //
 // As many points as before: what lies outside the domain goes. Only the first and last d-1 points change; each is the
 // blossom of the piece over an interval of the domain at the knots after it, exact rows (spline/blossom.h).

@@ -58,8 +58,9 @@ struct ConvergenceOptions {
 /// a step would exceed max_points
 [[nodiscard]] Convergence measure_convergence(const Curve& curve, const ConvergenceOptions& options);
 
-/// How many points uniform bisection needs for the error of the last step, to set against the points of that step: from
-/// its last step with at least that error, as errors fall with the square of the points. Empty when an error is 0.
+/// How many points uniform bisection needs for the error of the last step, to set against the points of that step. It
+/// is counted from its last step with at least that error, as errors fall with the square of the points. Empty when an
+/// error is 0.
 [[nodiscard]] std::optional<double> bisection_points(const Convergence& convergence);
 
 } // namespace internode

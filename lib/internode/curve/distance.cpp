@@ -17,7 +17,8 @@ constexpr double search_gap = 0x1p-30;
 /// Halvings of one piece at most; its ends then coincide in double.
 constexpr int search_depth = 52;
 /// Rounding in a Bernstein coefficient: at most 11 products of non-negative factors, 11 sums, a norm of relative error
-/// below (dimension + 3) / 2 units, and 52 halvings of half a unit each; for the dimensions in use far below 2^-44.
+/// below (dimension + 3) / 2 units, and 52 halvings of half a unit each. For the dimensions in use that is far below
+/// 2^-44.
 constexpr double rounding_margin = 0x1p-44;
 /// Tables kept at once; a word with more different windows than that only recomputes some.
 constexpr std::size_t table_limit = 1024;

@@ -2,7 +2,7 @@
 //
 // Weighted sums of consecutive control points: what refinement and limits are made of.
 //
-// A row of d+1 weights starts at a parent index that may be negative or reach past the end of a closed curve; a closed
+// A row of d+1 weights starts at a parent index that may be negative or reach past the end of a closed curve. A closed
 // word shorter than d+1 wraps more than once, and a parent then occurs several times in one row.
 
 #pragma once

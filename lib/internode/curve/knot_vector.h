@@ -2,9 +2,9 @@
 //
 // From a knot vector to a word: one letter per interval between successive knots, equal knots give `0`.
 //
-// Open, degree d, N points: t_0 <= … <= t_{N+d}, letter k is [t_k, t_{k+1}], or the N + d - 1 knots t_1 … t_{N+d-1}
-// without the two that no curve depends on: the first and last letter are then `0`. Closed: t_0 … t_N, one period.
-// Point k has the support [t_k, t_{k+d+1}] either way.
+// Open, degree d, N points: t_0 <= … <= t_{N+d}, letter k is [t_k, t_{k+1}]. The short form has the N + d - 1 knots
+// t_1 … t_{N+d-1}, without the two that no curve depends on: the first and last letter are then `0`. Closed: t_0 … t_N,
+// one period. Point k has the support [t_k, t_{k+d+1}] either way.
 //
 // Symbols: a grammar A -> A…A of one symbol says how any interval splits, and gets a symbol A1, A2, … per distinct
 // length, in order of appearance (Nivoliers et al. 2012, 3.3.2; Sederberg et al. 1998). Any other grammar must fit:
@@ -42,8 +42,8 @@ struct FittedKnots {
 };
 
 /// Refused: another number of knots, knots that decrease, a multiplicity above d + 1 at an end (d in the short form) or
-/// above d inside, a domain t_d … t_N that begins or ends with an empty interval, intervals that no symbol fits or that
-/// several fit, a scale that stays open. Cost: N log of the number of distinct lengths, in exact arithmetic.
+/// above d inside. Also a domain t_d … t_N that begins or ends with an empty interval, intervals that no symbol fits or
+/// that several fit, a scale that stays open. Cost: N log of the number of distinct lengths, in exact arithmetic.
 [[nodiscard]] FittedKnots fit_knots(const IntervalSystem& system, const KnotVector& knots);
 
 } // namespace internode

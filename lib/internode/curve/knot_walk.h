@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Refined knots seen from the given ones: a step replaces a letter by letters whose lengths add up to its own, so the
+// Refined knots seen from the given ones: a step replaces a letter by letters whose lengths add up to its own. So the
 // non-empty intervals of a refined domain follow those of the given one, as many from each as it has descendants.
 
 #pragma once

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The triangle of Cox and de Boor with both shares of a basis function taken from sums of lengths: neither is what a
+// The triangle of Cox and de Boor with both shares of a basis function taken from sums of lengths. Neither is what a
 // difference leaves over, and both are exactly 0 at the knot where they should be. The divisions do not depend on x and
 // are done once for each interval.
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The degree and the word of a polygon, or of one side of a grid, before the number of letters is settled: what the
-// caller says over what the file says over the axiom, and both must agree where two speak. Not installed.
+// The degree and the word of a polygon, or of one side of a grid, before the number of letters is settled. What the
+// caller says counts over what the file says, and that over the axiom; where two of them speak both must agree. Not
+// installed.
 
 #pragma once
 

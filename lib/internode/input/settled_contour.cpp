@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// First the coarse word and the ends, from the caller, the axiom or the file's knots; then the number of points that
-// the word can have after so many levels; then the points, brought to that number.
+// First come the coarse word and the ends, from the caller, the axiom or the file's knots. Then the number of points
+// that the word can have after so many levels; then the points, brought to that number.
 
 #include "internode/input/settled_contour.h"
 

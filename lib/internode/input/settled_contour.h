@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A polygon that is to be taken apart: file and caller say its degree, its ends, the word of the coarse polygon and the
-// levels between; it may have to be resampled or cut to a number of points that is possible.
+// levels between. It may have to be resampled or cut to a number of points that is possible.
 //
 // Knots of the file are those of the fine polygon. They say its ends and, where nobody says the coarse word, that too:
 // the word whose rewriting they are (input/coarse_word.h).

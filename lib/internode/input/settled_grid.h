@@ -3,7 +3,7 @@
 // A control net, its words and its ends, as a file and a caller say them together, settled against two systems.
 //
 // For each direction: knots in the file leave nothing to the caller; else the word is the caller's over the JSON's over
-// the axiom, the last two must agree when both speak; the ends are the JSON's `closed`, or the word's own form, or
+// the axiom. The last two must agree when both speak. The ends are the JSON's `closed`, or the word's own form, or
 // open.
 
 #pragma once

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The incidence matrix M of a grammar and the strongly connected classes of its graph (Nivoliers et al. 2012, eq. 4 and
-// Definition 3.4), for the symbols that can occur: all of them without an axiom, else those that the axiom produces.
-// Symbols that cannot occur have an empty row and belong to no class; the letter `0` has no row at all.
+// Definition 3.4). Both are of the symbols that can occur: all of them without an axiom, else those that the axiom
+// produces. Symbols that cannot occur have an empty row and belong to no class; the letter `0` has no row at all.
 
 #pragma once
 

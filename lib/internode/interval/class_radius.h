@@ -29,7 +29,7 @@ struct RadiusLimits {
 };
 
 /// The radii of all classes: exact for rules of one length inside the class (ratio 0, 1, a single symbol …), bounds for
-/// the others, then exact within the limits where it matters: for the largest and for all that meet it.
+/// the others. Then exact within the limits where it matters: for the largest and for all that meet it.
 [[nodiscard]] std::vector<ClassRadius> class_radii(const ClassGraph& graph, const RadiusLimits& limits);
 
 /// `unordered` when it cannot be told.

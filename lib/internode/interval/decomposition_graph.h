@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The decomposition graph of a valid system (Nivoliers et al. 2012, 2.2.2): a vertex per word of d + 1 intervals under
-// a basis function of degree d, an arc w -> w' for each factor w' of σ(w) in the mask of w.
+// The decomposition graph of a valid system (Nivoliers et al. 2012, 2.2.2). It has a vertex per word of d + 1 intervals
+// under a basis function of degree d, an arc w -> w' for each factor w' of σ(w) in the mask of w.
 
 #pragma once
 

@@ -2,10 +2,10 @@
 //
 // Exact eigenvectors in K = Q(ρ) without elimination over K.
 //
-// With χ the characteristic polynomial of a c x c block M and p the minimal polynomial of ρ, degree k,
-// adj(ρI − M) = Σ_t ρ^t u_t where u_{c-1} = I, u_{t-1} = χ_t I + M u_t: integer matrix–vector products by Horner.
-// For an irreducible block with spectral radius ρ, χ = p h and a = q(M) h(M) 1, q(x) = p(x) / (x − ρ), is its positive
-// eigenvector, again with integer products only: the coefficient of ρ^t in a is u_t, with h(M) 1 for I and p for χ.
+// Let χ be the characteristic polynomial of a c x c block M and p the minimal polynomial of ρ, degree k. Then
+// adj(ρI − M) = Σ_t ρ^t u_t where u_{c-1} = I, u_{t-1} = χ_t I + M u_t: integer matrix–vector products by Horner. An
+// irreducible block with spectral radius ρ has χ = p h, and a = q(M) h(M) 1, q(x) = p(x) / (x − ρ), is its positive
+// eigenvector. It again takes integer products only: the coefficient of ρ^t in a is u_t, with h(M) 1 for I and p for χ.
 
 #pragma once
 

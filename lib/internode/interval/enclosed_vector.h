@@ -3,9 +3,9 @@
 // Certified bounds on the positive vector a, M a = ρ a, of an n x n matrix too large for exact numbers.
 //
 // With M' = M without row and column k and m = column k without row k, a_k = x_k fixes the scale and
-// a' = (ρI − M')^{-1} m x_k, where the inverse is >= 0 once ρ(M') < ρ. So for λ <= ρ, x near a and any w > 0 with g =
-// (λI − M') w > 0, the vector x + δ w is an upper bound as soon as δ g >= M x − λ x; the lower bound likewise with λ >=
-// ρ. The residuals and g are exact rationals; floating point only finds x and w. (M-matrices: Berman and Plemmons,
+// a' = (ρI − M')^{-1} m x_k, where the inverse is >= 0 once ρ(M') < ρ. So for λ <= ρ, x near a and any w > 0 with
+// g = (λI − M') w > 0, the vector x + δ w is an upper bound as soon as δ g >= M x − λ x. The lower bound likewise with
+// λ >= ρ. The residuals and g are exact rationals; floating point only finds x and w. (M-matrices: Berman and Plemmons,
 // ch. 6.)
 
 #pragma once

@@ -2,9 +2,9 @@
 //
 // Lengths a > 0 with ρ a = M a of a system whose final classes are exactly its basic ones, and the free scales.
 //
-// a is unique up to one positive scale per final class F: on F it is the Perron vector of the block, and over the other
-// symbols N it is a_N = (ρI − M_NN)^{-1} M_NF a_F, class by class. A symbol's *home* is the final class it leads to;
-// a symbol that leads to several has for its length a combination with positive weights of their scales.
+// a is unique up to one positive scale per final class F. On F it is the Perron vector of the block, and over the other
+// symbols N it is a_N = (ρI − M_NN)^{-1} M_NF a_F, class by class. A symbol's *home* is the final class it leads to; a
+// symbol that leads to several has for its length a combination with positive weights of their scales.
 
 #pragma once
 
@@ -39,7 +39,7 @@ struct ScaledLengths {
                                           const std::string& generator);
 
 /// The frequencies s: ρ s = Mᵀ s, Σ s = 1, s = 0 outside the final classes. With one final class they do not depend on
-/// the axiom; with several, class F has the share n_0·h_F of the axiom's counts n_0 (h_F the right eigenvector that
+/// the axiom. With several, class F has the share n_0·h_F of the axiom's counts n_0 (h_F the right eigenvector that
 /// belongs to F alone, s_F·h_F = 1), and without an axiom the result is empty.
 [[nodiscard]] std::vector<Number> frequencies(const ExactSystem& system, const std::optional<Axiom>& axiom);
 

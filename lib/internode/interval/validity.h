@@ -2,11 +2,12 @@
 //
 // The decision whether a grammar is a valid interval subdivision descriptor (Nivoliers et al. 2012, Definition 3.1).
 //
-// With M = [m_ij], arcs i -> j where m_ij > 0, strongly connected classes, *final* = no arc leaves it, *basic* = its
-// block has spectral radius ρ = ρ(M): a strictly positive a with M a = ρ a exists iff the final classes are exactly the
-// basic ones (Berman and Plemmons, Nonnegative Matrices, ch. 2; Rothblum 1975); the system is valid iff, besides,
-// ρ > 1. Lengths are unique up to one positive scale per final class. Symbols that the axiom can never produce, and the
-// letter `0`, are left out. Decided exactly, or by enclosures that separate, or not at all: never by a tolerance.
+// M = [m_ij] has arcs i -> j where m_ij > 0, and strongly connected classes. A class is *final* when no arc leaves it,
+// *basic* when its block has spectral radius ρ = ρ(M). A strictly positive a with M a = ρ a exists iff the final
+// classes are exactly the basic ones (Berman and Plemmons, Nonnegative Matrices, ch. 2; Rothblum 1975). The system is
+// valid iff, besides, ρ > 1. Lengths are unique up to one positive scale per final class. Symbols that the axiom can
+// never produce, and the letter `0`, are left out. Decided exactly, or by enclosures that separate, or not at all:
+// never by a tolerance.
 
 #pragma once
 

@@ -3,11 +3,11 @@
 // Proved bounds on how fast a difference scheme b grows or shrinks: d'_k = Σ_j b_{k-mj} d_j.
 //
 // S^k has the mask b(z) b(z^m) … b(z^{m^{k-1}}), and its norm is the largest sum of |coefficients| in a residue class
-// modulo m^k. The joint spectral radius ϱ of the m matrices of b is lim ‖S^k‖^{1/k} = inf ‖S^k‖^{1/k}, and every
-// product of k of these matrices has a spectral radius of at most ϱ^k (Daubechies and Lagarias 1992). So norms bound it
-// from above and spectral radii from below, all of it in rationals.
+// modulo m^k. The joint spectral radius ϱ of the m matrices of b is lim ‖S^k‖^{1/k} = inf ‖S^k‖^{1/k}. Every product of
+// k of these matrices has a spectral radius of at most ϱ^k (Daubechies and Lagarias 1992). So norms bound it from above
+// and spectral radii from below, all of it in rationals.
 //
-// When b is symmetric about a coefficient and its Fourier transform is nowhere negative, no coefficient of S^k is
+// Let b be symmetric about a coefficient and its Fourier transform nowhere negative. Then no coefficient of S^k is
 // larger than the one at the centre, and ϱ is the spectral radius of the one matrix (b_{j-mi}) around the centre.
 
 #pragma once

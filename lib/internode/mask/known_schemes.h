@@ -3,9 +3,9 @@
 // Which published schemes a mask is, whatever the grammar calls itself: compared coefficient by coefficient, up to a
 // shift of the new points.
 //
-// The masks are derived, not stored: B-splines of degree d are s(z)^{d+1} / m^d (Lane and Riesenfeld 1980 for m = 2);
-// the 2n-point schemes are Lagrange's weights of 2n neighbours at 1/2 (Deslauriers and Dubuc 1989; n = 2: Dyn, Levin
-// and Gregory 1987), their dual relatives at 1/4 and 3/4 (n = 2: Dyn, Floater and Hormann 2005); families are
+// The masks are derived, not stored: B-splines of degree d are s(z)^{d+1} / m^d (Lane and Riesenfeld 1980 for m = 2).
+// The 2n-point schemes are Lagrange's weights of 2n neighbours at 1/2 (Deslauriers and Dubuc 1989; n = 2: Dyn, Levin
+// and Gregory 1987). Their dual relatives are those at 1/4 and 3/4 (n = 2: Dyn, Floater and Hormann 2005). Families are
 // recognised by solving for their parameter.
 
 #pragma once

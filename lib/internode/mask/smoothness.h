@@ -4,9 +4,9 @@
 //
 // With s(z) = 1 + … + z^{m-1} and a(z) = s(z)^l m^{1-l} b_l(z), b_l is the scheme of the l-th differences, scaled as
 // derivatives of order l - 1. The scheme converges iff b_1 contracts; limits have l - 1 continuous derivatives when b_l
-// contracts (Dyn 1992). With the joint spectral radius ϱ_l of b_l they are of Hölder class l - 1 - log_m ϱ_l, up to
-// any ε > 0, for every l; for the largest l there is no smoother, when the integer translates of the limit are stable,
-// as they are for interpolatory schemes and B-splines (Daubechies and Lagarias 1992; Rioul 1992).
+// contracts (Dyn 1992). With the joint spectral radius ϱ_l of b_l they are of Hölder class l - 1 - log_m ϱ_l, up to any
+// ε > 0, for every l. For the largest l there is no smoother, when the integer translates of the limit are stable, as
+// they are for interpolatory schemes and B-splines (Daubechies and Lagarias 1992; Rioul 1992).
 
 #pragma once
 

@@ -44,7 +44,7 @@ struct Derivation {
     std::uint64_t work = 0; ///< letters compared and numbers computed
 };
 
-/// What one step did, for traces and derivation trees: for each module of the new word its parent (the first module of
+/// What one step did, for traces and derivation trees. For each module of the new word: its parent (the first module of
 /// the strict predecessor) and the modules of the old word whose parameters it read.
 struct StepRecord {
     std::vector<std::size_t> parent;

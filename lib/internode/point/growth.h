@@ -12,7 +12,7 @@
 
 namespace internode {
 
-/// The length of the word after so many cycles, saturating at `limit` + 1, by the growth matrix: none when the rules of
+/// The length of the word after so many cycles, saturating at `limit` + 1, by the growth matrix. None when the rules of
 /// a letter differ in the letters of their successors, have strict predecessors of several modules, or may fail to
 /// match without being the identity. In a ring of one letter contexts never fail. Cost: at most 2 10^7 letters counted;
 /// none beyond.

@@ -4,12 +4,12 @@
 // The reference for everything that is faster. Cost of a step: linear in the word times the length of the contexts.
 //
 // Stochastic rules: when the first rule that matches has a weight, one of all matching rules with a weight (and a
-// strict predecessor as long) is drawn, with probability in proportion to the weights; the draw depends on the seed,
+// strict predecessor as long) is drawn, with probability in proportion to the weights. The draw depends on the seed,
 // the step and the position alone. Query modules get their parameters from the environment before every step and every
 // interpretation pass.
 //
 // Strict predecessors of several modules (pseudo-L-systems, S0 section 7) are found from left to right, from module
-// `phase` of a ring on; a module that begins such a predecessor but is not rewritten is left over: a problem.
+// `phase` of a ring on. A module that begins such a predecessor but is not rewritten is left over: a problem.
 
 #pragma once
 

@@ -2,7 +2,7 @@
 //
 // Where a rule fits in a word, by its letters alone: contexts step over branches, rings go round.
 //
-// A left context reads the modules before the strict predecessor towards the root: whole branches `[ … ]` on the way
+// A left context reads the modules before the strict predecessor towards the root. Whole branches `[ … ]` on the way
 // are stepped over, and a `[` that is not closed on the way leads to the module before it. A right context reads the
 // modules after it on the same axis: whole branches are stepped over, and a `]` ends the axis. In a ring the word
 // continues at its other end, as often as needed, and contexts may read the strict predecessor itself.

@@ -2,8 +2,8 @@
 //
 // A word of modules with their parameters, in doubles: A(4) A(3.5) P((0, 1), 2).
 //
-// Letters and values stand apart, each in one array: the values of a module are its parameters in their order, a
-// number as one double and a point as its coordinates (the layout of the letter says which, point/layout.h).
+// Letters and values stand apart, each in one array. The values of a module are its parameters in their order, a number
+// as one double and a point as its coordinates (the layout of the letter says which, point/layout.h).
 
 #pragma once
 

@@ -13,7 +13,7 @@
 namespace internode {
 
 /// The drawing of a word: the modules with exactly one point are joined along their axes (a branch starts at the point
-/// before it, a ring is closed); a module with two points is a line of its own.
+/// before it, a ring is closed). A module with two points is a line of its own.
 struct PointStrands {
     std::size_t dimension = 0;  ///< coordinates of every point; 0 when there is none
     std::vector<double> points; ///< the points of modules with exactly one, in the order of the word

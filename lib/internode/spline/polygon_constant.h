@@ -3,9 +3,9 @@
 // The constant of the distance between control polygon and curve.
 //
 // With Greville abscissae ξ_k = (t_{k+1} + … + t_{k+d}) / d and c_k = (1 / (2 d² (d-1))) Σ_{i<j} (t_{k+i} - t_{k+j})²,
-// s(ξ_k) - v_k = c_k s'' exactly for parabolas, and ρ^{2s} error_s tends to sup C*(x) |s''(x)|
-// (docs/mathematics.md; sharpens Cohen and Schumaker 1985, Theorem 3.3). C* = max of c over the persistent words of
-// d-1 inner intervals; it scales with the square of the lengths. For d = 1 the polygon is the curve and C* = 0.
+// s(ξ_k) - v_k = c_k s'' exactly for parabolas. So ρ^{2s} error_s tends to sup C*(x) |s''(x)| (docs/mathematics.md;
+// sharpens Cohen and Schumaker 1985, Theorem 3.3). C* = max of c over the persistent words of d-1 inner intervals; it
+// scales with the square of the lengths. For d = 1 the polygon is the curve and C* = 0.
 
 #pragma once
 

@@ -3,10 +3,10 @@
 // Window stencils: how a new control point gathers from the old ones.
 //
 // The new points that start in the old non-empty interval j depend on the window of 2d-1 intervals j-d+1 … j+d-1 and on
-// nothing else (docs/mathematics.md): d+1 weights of v_{j-d} … v_j per child c of j, the blossom of the piece over j at
-// the d new knots after the child's start. A new point whose leftmost interval is empty, or lies left of an open domain
-// that starts with j, belongs to child 0 of j with z = 1 … d new intervals before it: the *leading* rows.
-// The same piece gives the Bézier points of the curve over j, and with them its limit at both knots.
+// nothing else (docs/mathematics.md). A row has d+1 weights of v_{j-d} … v_j, one row per child c of j: the blossom of
+// the piece over j at the d new knots after the child's start. A new point whose leftmost interval is empty, or lies
+// left of an open domain that starts with j, belongs to child 0 of j. It has z = 1 … d new intervals before it: the
+// *leading* rows. The same piece gives the Bézier points of the curve over j, and with them its limit at both knots.
 
 #pragma once
 

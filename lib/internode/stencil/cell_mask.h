@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The uniform mask of cells that all do the same: of a state whose children are its own, and of the interval grammars
-// with one symbol, A -> A … A with m letters, whose mask at degree d is that of the uniform B-splines,
+// with one symbol, A -> A … A with m letters. At degree d the mask of these is that of the uniform B-splines,
 //
 //     Σ a_k z^k = z^first ((1 + z + … + z^(m-1)) / m)^(d+1) m.
 

@@ -2,9 +2,9 @@
 //
 // A cell automaton while it is being made or compared: states with their children and exact rows, as a plain value.
 //
-// Two automata are the same scheme when their normal forms are equal: states that cannot be told apart are one (the
-// coarsest partition, Moore 1956), states are numbered as they are met from the start, rows have no zeros at their
-// ends, and parents are counted from the first parent of the first row, for which a constant says nothing.
+// Two automata are the same scheme when their normal forms are equal. In these, states that cannot be told apart are
+// one (the coarsest partition, Moore 1956) and states are numbered as they are met from the start. Rows have no zeros
+// at their ends, and parents are counted from the first parent of the first row, for which a constant says nothing.
 
 #pragma once
 

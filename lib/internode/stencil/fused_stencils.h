@@ -3,8 +3,8 @@
 // k steps of a stencil automaton at once, in doubles: the automaton of σᵏ, laid out for the kernels.
 //
 // A point after k steps whose support starts in the old interval j is the blossom of the piece over j at d consecutive
-// knots of the refined word, so it is a row of d+1 weights over v_{j-d} … v_j, whatever k is (docs/mathematics.md,
-// section 2): every new point is computed from the coarse ones directly and written once. One step takes the exact rows
+// knots of the refined word. So it is a row of d+1 weights over v_{j-d} … v_j, whatever k is (docs/mathematics.md,
+// section 2). Every new point is computed from the coarse ones directly and written once. One step takes the exact rows
 // of the automaton; more are derived from lengths of 106 bits (algebra/double_double.h) and rounded once.
 
 #pragma once

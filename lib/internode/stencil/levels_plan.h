@@ -3,7 +3,7 @@
 // Refinement that keeps every level: the points after 1, 2, … n steps, one level after the other.
 //
 // A level is not computed from the one before it but from the first of its block (stencil/plan.h), by a table of as
-// many steps as lie between: each point is still written once, and the small levels alone are read again.
+// many steps as lie between. Each point is still written once, and the small levels alone are read again.
 
 #pragma once
 

@@ -2,9 +2,9 @@
 //
 // Everything about refining by `steps` steps that does not depend on the points: derived once, applied to any polygon.
 //
-// The steps are cut into blocks of fused steps (stencil/fused_stencils.h) whose tables fit a cache; each block reads
+// The steps are cut into blocks of fused steps (stencil/fused_stencils.h) whose tables fit a cache. Each block reads
 // the points of the block before and writes its own once, so the memory beside input and output is the input of the
-// last block. Blocks depend on the word, the steps and the options, never on the machine: the bytes of the result are
+// last block. Blocks depend on the word, the steps and the options, never on the machine. The bytes of the result are
 // the same for any number of threads, any partition of the work and any instruction set (docs/promises.md, P9 and P10).
 // Different blocks round differently, in the last bits.
 

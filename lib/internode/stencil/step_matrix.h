@@ -3,7 +3,7 @@
 // The matrix of one step for a given word: new points = matrix * old points, exact.
 //
 // Rows are the stencils of the new points in order (d+1 entries each, fewer where a short closed word wraps and a
-// parent occurs several times: its weights add); columns are the masks of the old ones.
+// parent occurs several times: its weights add). Columns are the masks of the old ones.
 
 #pragma once
 

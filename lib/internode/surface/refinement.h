@@ -2,7 +2,7 @@
 //
 // Refinement of a tensor-product surface: the same surface over more and more intervals in both directions.
 //
-// The matrix of a step of the grid is the product of a matrix in each direction, so the rows are refined along v and
+// The matrix of a step of the grid is the product of a matrix in each direction. So the rows are refined along v and
 // then whole rows along u: one row of the grid is one point of many coordinates to the stencils of u. Rational points
 // are refined in homogeneous coordinates.
 

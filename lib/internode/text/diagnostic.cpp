@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A source line is shown with the offence in it: it is cut before and after the caret, in columns as a terminal counts
+// A source line is shown with the offence in it. It is cut before and after the caret, in columns as a terminal counts
 // them, so that both the caret and what stands round it fit a line of the screen.
 
 #include "internode/text/diagnostic.h"

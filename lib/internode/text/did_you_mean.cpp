@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The distance of two words is that of optimal string alignment: a row of the table of all prefixes at a time, given
-// up as soon as every entry of the row is above the limit. The limit falls with each nearer candidate.
+// The distance of two words is that of optimal string alignment. A row of the table of all prefixes is made at a time,
+// given up as soon as every entry of the row is above the limit. The limit falls with each nearer candidate.
 
 #include "internode/text/did_you_mean.h"
 

@@ -3,10 +3,10 @@
 // Factors (consecutive subwords) of iterated words, and the decomposition graph of Nivoliers et al. 2012, 2.2.2.
 //
 // Graph of length m: a vertex per word w of m letters, an arc w -> w' when w' is a factor of σ(w). A vertex is
-// *persistent* when it lies on a cycle or can be reached from one: these words, and only they, occur after
-// arbitrarily many steps. Without an axiom all n^m words count, but they are never enumerated: with P2 the eventual
-// image of all n^2 pairs under "two-letter factors of σ" and K such that every |σ^K(a)| >= m-1, the persistent words
-// are the length-m factors of σ^K(u), u in P2. This needs every letter to grow, as it does in a valid system.
+// *persistent* when it lies on a cycle or can be reached from one: these words, and only they, occur after arbitrarily
+// many steps. Without an axiom all n^m words count, but they are never enumerated. Let P2 be the eventual image of all
+// n^2 pairs under "two-letter factors of σ", and K such that every |σ^K(a)| >= m-1. Then the persistent words are the
+// length-m factors of σ^K(u), u in P2. This needs every letter to grow, as it does in a valid system.
 
 #pragma once
 

@@ -55,7 +55,7 @@ private:
     std::unordered_map<std::string, Symbol> symbols_;
 };
 
-/// A word as the language reads it back: letters side by side when every name of the alphabet is a single
+/// A word as the language reads it back. Letters stand side by side when every name of the alphabet is a single
 /// character ("SLLSL"), else separated by blanks ("A1 A2"); `0` always stands apart ("0 0 L S 0 0").
 [[nodiscard]] std::string to_string(WordView word, const Alphabet& alphabet);
 

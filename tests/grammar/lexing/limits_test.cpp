@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What is too large is refused with its number, and hostile sizes are met in linear time and bounded memory: each of
+// What is too large is refused with its number, and hostile sizes are met in linear time and bounded memory. Each of
 // these texts would hang, overflow the stack or exhaust memory if it were not.
 
 #include "internode/grammar/lexing/limits.h"

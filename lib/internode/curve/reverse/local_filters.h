@@ -3,7 +3,7 @@
 // A left inverse A of a step, A P = I, by local filters: every coarse point from the fine points around it.
 //
 // The fine points whose support meets a window of m old intervals depend on the m + d old points whose support does,
-// and on no others: P restricted to them is a step of an open curve whose domain is the window, of full column rank.
+// and on no others. P restricted to them is a step of an open curve whose domain is the window, of full column rank.
 // The filter of a coarse point is its row of the pseudo-inverse of that restriction: among all filters on these fine
 // points that reproduce it the one of least norm. The window is centred in the support of the point, inside the domain.
 

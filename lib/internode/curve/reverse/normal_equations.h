@@ -2,7 +2,7 @@
 //
 // The normal equations PᵀP x = Pᵀ b of a gather matrix, by L D Lᵀ in envelope storage.
 //
-// Row k of the lower triangle is kept from its first entry on: d numbers a row of a band; the last d rows of a closed
+// Row k of the lower triangle is kept from its first entry on: d numbers a row of a band. The last d rows of a closed
 // curve reach back to its first point and fill. No fill beyond the envelope, no pivoting (PᵀP is positive definite),
 // sums in a fixed order. Memory O(n d), time O(n d^2).
 

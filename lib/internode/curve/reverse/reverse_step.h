@@ -3,8 +3,8 @@
 // One step backwards: fine polygon f (n_f points) = P c + Q e, coarse polygon c (n_c), details e (n_f - n_c vectors).
 //
 // c = A f with a left inverse A, A P = I: the least squares A = (PᵀP)^{-1} Pᵀ, or local filters. Every coarse point
-// keeps one fine point (curve/reverse/kept_points.h); the others, one per inserted knot, carry the details: e is how
-// far they lie from where the kept points alone would put them, and Q = (I - P A) restricted to their columns. Then
+// keeps one fine point (curve/reverse/kept_points.h); the others, one per inserted knot, carry the details. Here e is
+// how far they lie from where the kept points alone would put them, and Q = (I - P A) restricted to their columns. Then
 //
 //     f = P (c - A e) + e        (e filled up with zeros at the kept points)
 //

@@ -7,8 +7,8 @@
 //     label : left < predecessor > right : condition -> successor : weight
 //
 // A module is a letter with parameters. `#`, `[` and `]` are letters without parameters; the name of a query module
-// begins with `?`. Modules match when letters and numbers of parameters agree, and S1 (2) has both B(x, y) and B(x):
-// such a letter is several symbols, each with one number of parameters; `B/1` is the name of the second.
+// begins with `?`. Modules match when letters and numbers of parameters agree, and S1 (2) has both B(x, y) and B(x).
+// Such a letter is several symbols, each with one number of parameters; `B/1` is the name of the second.
 
 #pragma once
 

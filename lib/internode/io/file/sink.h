@@ -2,7 +2,7 @@
 //
 // Where bytes go: a file, a pipe, a string. Writers of formats know only this.
 //
-// A sink remembers its first failure and swallows what comes after it; a writer looks at the answer of write() once in
+// A sink remembers its first failure and swallows what comes after it. A writer looks at the answer of write() once in
 // a while and stops, and the owner of the sink learns the reason from it (OutputFile::commit).
 
 #pragma once

@@ -3,8 +3,8 @@
 // Polylines of a Wavefront OBJ file, as write_obj (io/obj/obj.h) and other programs write them: `v x y z` and `l`.
 //
 // A polyline whose last index is its first is closed. Lines that are pieces of one polyline, each beginning where the
-// one before ended, are put together: those of two indices (an edge a line), and those after one of 256, the longest
-// that write_obj makes. Every index is checked where it stands, as in obj_freeform.h.
+// one before ended, are put together. These are lines of two indices (an edge a line), and those after one of 256, the
+// longest that write_obj makes. Every index is checked where it stands, as in obj_freeform.h.
 
 #pragma once
 

@@ -5,7 +5,7 @@
 //
 // The sum is compared with 1 as an identity in the numbers of the rule and the constants of the grammar, which
 // algebra/symbolic.h decides for quotients of polynomials. min, max, floor, abs and sqrt of terms that vary are
-// independent variables there: a sum that is 1 with them is 1, one that is not is refuted by an example or left open.
+// independent variables there. A sum that is 1 with them is 1; one that is not is refuted by an example or left open.
 
 #pragma once
 

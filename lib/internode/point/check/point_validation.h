@@ -2,9 +2,9 @@
 //
 // Everything that `internode validate` says about a point grammar, as one value: the text and the JSON print the same.
 //
-// A grammar is valid iff its parameters have kinds, every point expression is an affine combination of points or is
-// meant to be something else (literal points, coordinates), and the ends of open words are complete. What compiles,
-// how smooth it is and what it is called are facts beside that.
+// A grammar is valid iff its parameters have kinds, every point expression is affine or meant to be something else
+// (literal points, coordinates), and the ends of open words are complete. What compiles, how smooth it is and what it
+// is called are facts beside that.
 
 #pragma once
 

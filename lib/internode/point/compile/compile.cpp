@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Pieces of W modules to each side, for one W after the other: explore() finds the states, or says that W is too small;
+// Pieces of W modules to each side, for one W after the other: explore() finds the states, or says that W is too small.
 // reaches() and classes() say which of them are one; assemble() makes the automaton.
 
 #include "internode/point/compile/compile.h"

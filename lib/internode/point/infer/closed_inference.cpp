@@ -77,8 +77,8 @@ Arc shortest_arc(const RationalRow& row, std::size_t columns) {
     return arc;
 }
 
-/// The stencil of a row of class r about old point 0, its centre as near as the ring allows to where new point r of m
-/// stands among the old ones when new points are spread evenly, `moved` twice m further on.
+/// The stencil of a row of class r about old point 0. Its centre is as near as the ring allows to where new point r of
+/// m stands among the old ones when new points are spread evenly, `moved` twice m further on.
 PointStencil unrolled(const RationalRow& row, const Arc& arc, std::size_t columns, std::ptrdiff_t target,
                       std::ptrdiff_t arity) {
     const auto n = static_cast<std::ptrdiff_t>(columns);

@@ -6,7 +6,7 @@
 // Away from the ends row m q + r of the matrix is one stencil for each r = 0 … m-1, moved to old point q. Which new
 // points an old one is replaced by is a choice, the shift d: old point i takes the new points m i + d … m i + d + m-1,
 // all counted from 0. That is S0's P(j-1) P(j) with j = 2i + d, counted from 1: d = 0 is S0 eq. 13, d = -1 and 1 are
-// eq. 17 and 18; eq. 20, which the paper calls d = 3, is d = 5 by its own formula and by its picture, eq. 19.
+// eq. 17 and 18. Eq. 20, which the paper calls d = 3, is d = 5 by its own formula and by its picture, eq. 19.
 //
 // A matrix of one size cannot prove a pattern for all sizes. Taken for the pattern is the narrowest one that fits every
 // row; a matrix in which that is not unique is refused.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // An open curve's matrix: the longest run of rows that repeat m rows further down and one column further right, for
-// some m, is the pattern; the rows before and after it are what they are.
+// some m, is the pattern. The rows before and after it are what they are.
 
 #include "internode/point/infer/floor_division.h"
 #include "internode/point/infer/inference.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A closed polygon taken apart by a local reverse rule, level by level: c = A f, and the residual f - P c that tells
-// how far the scheme's own polygon is from the one that was there (Prusinkiewicz et al. 2003, section 7 and Fig. 9).
+// A closed polygon taken apart by a local reverse rule, level by level: c = A f. The residual f - P c tells how far the
+// scheme's own polygon is from the one that was there (Prusinkiewicz et al. 2003, section 7 and Fig. 9).
 //
 // Coarse point j is made of the fine points round phase + m j … phase + m j + m - 1. Each of the m phases is another
 // partition of the ring; a polygon that the scheme made comes back, without residual, in one of them.

@@ -5,9 +5,9 @@
 //     c_j = Σ_k b_{k-mj} f_k,   exact for fine points that a scheme of arity m made:   A P = I,
 //
 // where P is the scheme's matrix, p'_k = Σ_j a_{k-mj} p_j. The window of fine points that a coarse one is made of is
-// centred on those that depend on it, a_first … a_last, so that neither side weighs more for a symmetric scheme; it is
-// the narrowest such window in which an exact solution exists. Of several solutions the one of least norm is taken.
-// S0 eq. 38 is this for Chaikin. (Two points alone, 3/2 and -1/2, are exact too: an extrapolation from one side.)
+// centred on those that depend on it, a_first … a_last, so that neither side weighs more for a symmetric scheme. It is
+// the narrowest such window in which an exact solution exists. Of several solutions the one of least norm is taken. S0
+// eq. 38 is this for Chaikin. (Two points alone, 3/2 and -1/2, are exact too: an extrapolation from one side.)
 
 #pragma once
 

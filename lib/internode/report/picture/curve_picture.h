@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The picture of a refined curve: every knot interval a piece of the limit curve, coloured and dashed by its symbol
-// (Nivoliers et al. 2012, Fig. 2), over the thin grey control polygon; knots, legend, title.
+// (Nivoliers et al. 2012, Fig. 2), over the thin grey control polygon. It has knots, a legend and a title.
 //
 // Up to degree 3 a piece is one exact `L`, `Q` or `C` of SVG, in the layer <g id="limit">; above, and with weights, a
 // polyline through points of the curve. All pieces of a symbol are one path, so 20,000 of them stay a small file.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The decomposition graph in the language of Graphviz: a node per word, persistent words blue (Nivoliers et al. 2012,
-// Fig. 3), an arc for each factor of the image; an arc that occurs several times carries its count.
+// Fig. 3), an arc for each factor of the image. An arc that occurs several times carries its count.
 
 #pragma once
 

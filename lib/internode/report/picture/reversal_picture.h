@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A closed polygon beside what is left of it after some levels down, in several phases of the ring (Prusinkiewicz et
-// al. 2003, Fig. 9): panels of one scale, the original in grey under each approximation.
+// al. 2003, Fig. 9). The panels have one scale, the original in grey under each approximation.
 
 #pragma once
 
