@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Steps are taken one at a time, because each is measured. For a tolerance the measured steps are asked first, then
+// further ones while the points are few enough; beyond that the last envelope times the expected ratio 1/ρ² must do.
 
 #include "internode/curve/convergence.h"
 

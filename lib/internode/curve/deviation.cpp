@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// The interval is cut at its Greville abscissae, so that (x - ξ_i)_+ is linear on each piece. There the Bernstein
+// coefficients of the spline are values of its blossom, those of the line are values on its chord, and β_i has their
+// difference.
 
 #include "internode/curve/deviation.h"
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// The β_i of an interval depend on its window alone: tables of them are kept by window. A sum with their largest
+// coefficients passes most intervals over. In the others both polynomials are halved until the hull of their control
+// points is hardly above what some end of a piece attains.
 
 #include "internode/curve/distance.h"
 

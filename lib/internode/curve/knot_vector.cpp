@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// Four checks run in turn, each of which takes those before it for granted; the first that complains ends it. Then the
+// lengths between knots become letters: of a symbol for each distinct length, or of the grammar's own symbols at the
+// one scale that fits.
 
 #include "internode/curve/knot_vector.h"
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// Intervals that have no length of a settled class must have one of the open class. The shortest of them over each
+// length of that class is a scale to try; it fits when all of them, divided by it, are lengths of the class. Equality
+// is exact, so that sets of numbers decide.
 
 #include "internode/curve/length_fit.h"
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// refine() and Refinement::advance() hand all steps to a RefinementPlan (stencil/plan.h). Refinement::step() is the
+// slow and obvious way, one row of the automaton for each new point: what the fast way is tested against. Sizes come
+// from counts of letters, without a word.
 
 #include "internode/curve/refinement.h"
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// One walk whose values are types and whose side effect are steps. Operands that are known take their steps back when
+// their result is folded; a call is folded while the budget of operations lasts. A product or sum looks at the steps
+// before it: a number times a formal is one step, and adding it one too.
 
 #include "internode/expression/program.h"
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// One walk whose values are quotients of polynomials, with limits on instructions, products and nesting that all end in
+// `undecided`. An opaque variable remembers how it follows from earlier ones, so that sample() can give all variables
+// values that agree.
 
 #include "internode/expression/symbolic_value.h"
 

@@ -93,7 +93,7 @@ KnotVector knot_vector(const IntervalSystem& system, const InputPolygon& polygon
     return vector;
 }
 
-/// The knots without the first and the last of the long form, as the short form has them; all of a closed curve.
+/// Whether the first and the last knot of an open polygon are left out, as the short form has them.
 bool is_short(const InputPolygon& polygon, const KnotShape& shape) {
     return shape.ends == Ends::Open &&
            polygon.knots->size() + 1 == shape.points + static_cast<std::size_t>(shape.degree);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Strong components come with their successors first (word/graph.h) and classes keep that order: when a class asks for
+// its home, the homes of all that it leads to are known.
 
 #include "internode/interval/class_graph.h"
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// A radius is first had cheaply: exactly from a common row sum, else as bounds. Exact ones are then made where they
+// decide: for the largest class and for those whose bounds meet it. Of the others those follow that cost little. Equal
+// blocks are worked on once.
 
 #include "internode/interval/class_radius.h"
 

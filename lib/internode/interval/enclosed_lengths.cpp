@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// The symbols that occur are numbered anew and the vector of their matrix is enclosed. The first declared length scales
+// it, and each later one must lie within the bounds. A frequency is x / (x + rest), which rises with x and falls with
+// the rest: its bounds are those of opposite ends.
 
 #include "internode/interval/enclosed_lengths.h"
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// x comes from enclose_radius(), w from Gauss-Seidel sweeps: both in doubles, and both are guesses. They are then taken
+// as integers over 2^52, and the least δ that certifies them is found exactly. So rounding can make the bounds wide, or
+// there are none, but it never makes them wrong.
 
 #include "internode/interval/enclosed_vector.h"
 

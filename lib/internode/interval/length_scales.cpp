@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// Classes stand with their successors first, so lengths come class by class; those that lead to several final classes
+// come last, when the scales are known. arrivals() goes the other way: it carries a row of counts down to the final
+// classes. Frequencies and the parts of a shared length both follow from it.
 
 #include "internode/interval/length_scales.h"
 

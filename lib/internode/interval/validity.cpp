@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// Classes, their radii and the order of these come first, and the verdict follows from them alone: valid is what
+// nothing refutes (interval/reasons.h). Only then come lengths, exactly where the field and the classes are small
+// enough, else between bounds; a declared length can still refute the system.
 
 #include "internode/interval/validity.h"
 

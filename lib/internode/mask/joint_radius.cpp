@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// Masks are integers over one denominator. Norms of powers bound ϱ from above, spectral radii of products from below; a
+// scheme that is shown to be positive has both from one matrix. Each way ends at its own limit of size, and what it
+// found by then stands.
 
 #include "internode/mask/joint_radius.h"
 

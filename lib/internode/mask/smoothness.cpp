@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// s(z) is divided out of the symbol as often as it goes, which gives b_1 … b_L. Norms of all of them are cheap; only
+// b_1, which decides convergence, and b_L, which is the sharpest, get spectral radii too. Exponents are rounded
+// outwards.
 
 #include "internode/mask/smoothness.h"
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Steps and passes are one rewriting (point/rewriting.h) with other rules: a RewritingTask says which, how the ring is
+// turned and where the draws come from. The environment is asked before each.
 
 #include "internode/point/interpreter.h"
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// In the derivation a rule waits for its letters: each letter that becomes known counts down the rules that wait for
+// it, and a rule at 0 is applied, once. An interpretation pass reads one layout and writes another, so one round over
+// its rules is enough.
 
 #include "internode/point/layouts.h"
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// Neighbours along an axis are found once for a word by two walks with a stack, forth for left contexts and back for
+// right ones. A ring is walked twice, the second time from where the first ended. A word without brackets needs no
+// table.
 
 #include "internode/point/matching.h"
 

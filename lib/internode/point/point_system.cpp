@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// Checks in turn: dimension and constants, costs and tables, the kinds of parameters, end markers, the cycle. What
+// relies on earlier ones is left out where these found problems. Programs and the axiom's values are made of a grammar
+// without problems only.
 
 #include "internode/point/point_system.h"
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// From left to right: the first rule of the letter that fits and whose condition holds, or a draw among those with
+// weights. Its successor is written, and as many modules are passed as its strict predecessor has. Beyond the limit the
+// new word is counted and not stored, so that a message can tell its length.
 
 #include "internode/point/rewriting.h"
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// One walk over the word with a stack of axes: `[` puts the axis aside, and a strand in the branch begins at its last
+// point; `]` returns to it. A ring begins with the last point of its main axis, which a branch before the first point
+// hangs on.
 
 #include "internode/point/strands.h"
 

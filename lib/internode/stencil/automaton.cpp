@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// States and children come first, which takes no arithmetic in K. Then the exact work is counted against its limit, and
+// only then are the rows made, from one piece of the curve for each state. Equal rows are kept once: a hash of their
+// doubles finds them, their exact weights decide.
 
 #include "internode/stencil/automaton.h"
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// The cells are cut into tasks that write about as many coordinates as options.grain says; the place of a task's first
+// point is known beforehand. A task hands its cells to the kernel in batches: where the parents stand, where the rows
+// begin, and how many there are.
 
 #include "internode/stencil/block_run.h"
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// Moore's partition: a round gives one class to the states with the same signature, which is their old class and the
+// label and class of every child. Rounds end when the number of classes stays. Rows are numbered once beforehand, so
+// that rounds compare integers.
 
 #include "internode/stencil/cell_rules.h"
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// First every row of the grid at the stops of v, then whole rows at the stops of u: a row is one point of many
+// coordinates there.
 
 #include "internode/surface/limit.h"
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// Tangents are taken times the weight w, which keeps their direction: A_u - w_u S. One whose coordinates lie within the
+// noise of their terms counts as 0; the mixed derivative takes its place, with the sign of the side from which the
+// surface comes.
 
 #include "internode/surface/normal.h"
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// A line takes its points as rows of any dimension. So all lines of one direction go at once: along v the grid is
+// transposed and a column is one point of many coordinates, along u a row is one.
 
 #include "internode/surface/reverse.h"
 

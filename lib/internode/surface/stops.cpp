@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// Each interval with a length has a stop where it begins. Where d zeros break the surface the interval before them gets
+// a stop at its end too, and so does the last one where the domain ends or breaks at its seam. The rows of both ends of
+// a window are kept once.
 
 #include "internode/surface/stops.h"
 

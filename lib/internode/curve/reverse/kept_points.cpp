@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// Dynamic programming over the columns of P: every candidate row goes on from the best choice of the column before that
+// ends in an earlier row. Rows ascend, so two columns take one sweep. A closed curve is turned until column 0 keeps its
+// heaviest row, and is read from there.
 
 #include "internode/curve/reverse/kept_points.h"
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// A closed curve is an endless line of cells here (Line), so that no window wraps. Windows whose cells have the same
+// states, with the coarse point at the same place, have the same filter, which is computed once.
 
 #include "internode/curve/reverse/local_filters.h"
 

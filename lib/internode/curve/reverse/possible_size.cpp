@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Of a given word the levels are tried in turn, until the points are reached. Of a pattern it is counted once how much
+// each letter grows in so many levels; the domain then gets longer letter by letter.
 
 #include "internode/curve/reverse/possible_size.h"
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// analyse() steps down from the fine polygon and synthesise() up from the coarse one, both over one Hierarchy of words
+// and states. Compression only chooses places: the details there are copied as they are.
 
 #include "internode/curve/reverse/pyramid.h"
 

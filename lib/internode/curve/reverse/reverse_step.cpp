@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// The details are taken of the residual r = f - P c instead of f. What P makes of coarse points is foretold by its kept
+// points, so e is the same, and small numbers lose fewer digits. With x from P_K x = r_K they are e = r_D - P_D x: K
+// the kept rows, D the others.
 
 #include "internode/curve/reverse/reverse_step.h"
 

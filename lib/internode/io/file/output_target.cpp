@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Symbolic links are followed here, one by one, instead of by the kernel. The folder of the target itself must be
+// known, to write beside it, and a link may end at the name of an open descriptor.
 
 #include "internode/io/file/output_target.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The parts that our JSON formats of polygons and grids share, read with a diagnostic for whatever is wrong in them.
+// The parts of a grid's JSON that a polygon's has too, read with a diagnostic for whatever is wrong in them. A
+// polygon's own are read in polygon_json.cpp.
 
 #pragma once
 

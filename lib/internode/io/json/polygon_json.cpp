@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// A table says which member reads which key. Everything that is wrong is noted and reading goes on, up to
+// max_polygon_errors; at the end the errors stand in the order of the text.
 
 #include "internode/io/polygon.h"
 

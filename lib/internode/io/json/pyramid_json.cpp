@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+//
+// The first thing that is wrong ends the reading: a Fault with its place, thrown and caught in this file.
 
 #include "internode/io/json/pyramid_json.h"
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Banner, sizes, entries: an error in one ends the reading before the next. Entries are kept as they come, those of a
+// symmetric matrix twice; at the end rows are sorted, a place that was given twice is refused, and zeros go.
 
 #include "internode/io/file/limits.h"
 #include "internode/io/matrix/fraction_entry.h"

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// One pass over the statements. An element is open from its `curv` or `surf` to its `end`, where its counts must fit
+// and its ranges be the domains. After an error in an element nothing more is said about it.
 
 #include "internode/io/obj/obj_freeform.h"
 

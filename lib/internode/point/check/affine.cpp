@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// An argument is read with the constants as symbols first; where its sum is not 1 as an identity, once more with their
+// values. Where min, max and the like stand for variables, only an example refutes, and it must miss 1 clearly.
 
 #include "internode/point/check/affine.h"
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// Each derivation is followed step by step. A module that no rule fits is noted when a rule of the same table makes
+// more points of its letter. It is noted once per context, with the first and the last number of input points that met
+// it.
 
 #include "internode/point/check/coverage.h"
 

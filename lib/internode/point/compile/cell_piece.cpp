@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// A piece goes through the steps of a cycle as a word (Moving) that loses at its sides what is not settled, while the
+// cell's own modules are followed. Then the children's pieces are cut out of it. Where it has become too short for one,
+// W is too small.
 
 #include "internode/point/compile/cell_piece.h"
 #include "internode/stencil/kernel.h"

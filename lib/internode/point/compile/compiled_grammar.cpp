@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// Several cycles are fused from the last to the first. What a child becomes later stands as rows over the cells round
+// it; these cells are rows over the parents, and the product is a row of one cycle more. Only states that are met in a
+// cycle are carried through it.
 
 #include "internode/point/compile/compiled_grammar.h"
 

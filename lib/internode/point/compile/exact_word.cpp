@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+//
+// One Rewriter serves two notions of place: in a whole word a rule fits or not, in a piece it may be unknown. A rule
+// that may fit ends the search, for which rule comes first would depend on what lies beyond. A piece is settled
+// outwards from the modules that must be.
 
 #include "internode/point/compile/exact_word.h"
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// With pieces of W modules to each side 2W + 3 points show every cell: W + 1 at each end, and one in the middle, whose
+// cells all others between have.
 
 #include "internode/point/compile/start_cells.h"
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+//
+// Coarse points are sums with the weights of the rule, each rounded once. P c is not kept: each of its points is made,
+// compared with its fine point and forgotten.
 
 #include "internode/point/infer/reversal.h"
 
