@@ -8,6 +8,7 @@
 #include "internode/word/graph.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 
 namespace internode {
@@ -15,6 +16,7 @@ namespace internode {
 namespace {
 
 SparseRow count_letters(WordView word) {
+    assert(std::ranges::find(word, zero_interval) == word.end());
     std::vector<std::uint32_t> letters;
     for (const Symbol symbol : word) letters.push_back(static_cast<std::uint32_t>(to_index(symbol)));
     std::ranges::sort(letters);
@@ -54,6 +56,7 @@ std::size_t block_period(const SparseMatrix& block) {
 
 /// Fills block and successors of every class from the rows of its members.
 void split_rows(ClassGraph& graph) {
+    assert(graph.class_of.size() == graph.matrix.size());
     std::vector<std::uint32_t> place(graph.matrix.size());
     for (const IntervalClass& one : graph.classes)
         for (std::uint32_t local = 0; local < one.members.size(); ++local) place[one.members[local]] = local;
@@ -62,6 +65,7 @@ void split_rows(ClassGraph& graph) {
         for (const std::uint32_t member : one.members) {
             SparseRow& inside = one.block.emplace_back();
             for (const auto& [column, entry] : graph.matrix[member]) {
+                assert(graph.class_of[column] != no_class && "what occurs produces only what occurs");
                 if (graph.class_of[column] == index)
                     inside.emplace_back(place[column], entry);
                 else
@@ -77,6 +81,7 @@ void split_rows(ClassGraph& graph) {
 std::uint32_t home_of(const ClassGraph& graph, std::uint32_t index) {
     const IntervalClass& one = graph.classes[index];
     if (one.final) return index;
+    assert(!one.successors.empty() && one.successors.back() < index);
     const std::uint32_t home = graph.classes[one.successors.front()].home;
     const auto agrees = [&](std::uint32_t successor) { return graph.classes[successor].home == home; };
     return std::ranges::all_of(one.successors, agrees) ? home : no_class;
@@ -89,6 +94,7 @@ ClassGraph class_graph(const IntervalGrammar& grammar) {
     for (const Word& image : grammar.rules.images()) result.matrix.push_back(count_letters(image));
     const Graph graph = graph_of(result.matrix);
     const std::vector<bool> occurs = occurring(grammar, graph);
+    assert(occurs.size() == graph.size());
     const StrongComponents components = strong_components(graph);
     result.class_of.assign(graph.size(), no_class);
     for (const std::vector<std::uint32_t>& members : components.members) {

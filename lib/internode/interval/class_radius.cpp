@@ -9,6 +9,7 @@
 #include "internode/algebra/polynomial.h"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 #include <stdexcept>
 
@@ -42,6 +43,7 @@ std::uint64_t row_sum(const SparseRow& row) {
 
 /// Rows of one sum r: the vector of ones is positive with M 1 = r 1, so ρ = r.
 std::optional<std::uint64_t> common_row_sum(const SparseMatrix& block) {
+    assert(!block.empty());
     const std::uint64_t first = row_sum(block.front());
     const bool same = std::ranges::all_of(block, [&](const SparseRow& row) { return row_sum(row) == first; });
     return same ? std::optional(first) : std::nullopt;
@@ -111,6 +113,7 @@ public:
 private:
     void compute(const SparseMatrix& block, std::size_t degree) {
         ClassRadius& radius = known_.at(block);
+        assert(!radius.field);
         if (!may_have_degree(block, radius.value.bounds, degree)) return;
         const auto root = perron_root(block, degree);
         if (!root) return;
@@ -127,6 +130,7 @@ private:
 
 /// Of two different real numbers, by halving an interval that holds both.
 std::partial_ordering separate(const Number& a, const Number& b, const Enclosure& bounds) {
+    assert(bounds.lower < bounds.upper);
     Rational lower = to_rational(bounds.lower);
     Rational upper = to_rational(bounds.upper);
     for (;;) {
@@ -140,6 +144,7 @@ std::partial_ordering separate(const Number& a, const Number& b, const Enclosure
 }
 
 std::partial_ordering compare_bounds(const Enclosure& a, const Enclosure& b) {
+    assert(a.lower <= a.upper && b.lower <= b.upper);
     if (a.upper < b.lower) return std::partial_ordering::less;
     if (a.lower > b.upper) return std::partial_ordering::greater;
     return std::partial_ordering::unordered;
@@ -181,6 +186,7 @@ std::vector<ClassRadius> class_radii(const ClassGraph& graph, const RadiusLimits
     std::vector<ClassRadius> result = all();
     if (result.empty()) return result;
     const LargestRadius largest = largest_radius(result);
+    assert(largest.order.size() == result.size());
     const auto unclear = [](std::partial_ordering order) { return order == std::partial_ordering::unordered; };
     const bool any_degree = std::ranges::any_of(largest.order, unclear);
     for (std::size_t i = 0; i < result.size(); ++i)

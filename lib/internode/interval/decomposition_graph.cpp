@@ -3,6 +3,7 @@
 #include "internode/interval/decomposition_graph.h"
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 
 namespace internode {
@@ -26,7 +27,10 @@ Occurring restricted(const IntervalSystem& system) {
     std::vector<Word> images;
     for (const Symbol symbol : result.symbols) {
         Word& image = images.emplace_back();
-        for (const Symbol letter : system.rules().image(symbol)) image.push_back(renumbered[to_index(letter)]);
+        for (const Symbol letter : system.rules().image(symbol)) {
+            assert(system.occurs(letter));
+            image.push_back(renumbered[to_index(letter)]);
+        }
     }
     result.rules = Morphism(std::move(images));
     return result;

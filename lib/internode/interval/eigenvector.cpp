@@ -29,6 +29,7 @@ Polynomial divide(Polynomial& dividend, const Polynomial& divisor) {
 }
 
 IntegerVector multiply(const SparseMatrix& block, const IntegerVector& vector) {
+    assert(vector.size() == block.size());
     IntegerVector result(block.size());
     for (std::size_t i = 0; i < block.size(); ++i)
         for (const auto& [column, entry] : block[i]) result[i] += vector[column] * entry;
@@ -37,6 +38,7 @@ IntegerVector multiply(const SparseMatrix& block, const IntegerVector& vector) {
 
 /// c v + M u.
 IntegerVector horner(const SparseMatrix& block, const IntegerVector& u, const Integer& c, const IntegerVector& v) {
+    assert(v.size() == block.size());
     IntegerVector result = multiply(block, u);
     for (std::size_t i = 0; i < v.size(); ++i) result[i] += c * v[i];
     return result;
@@ -51,6 +53,7 @@ IntegerVector apply(const Polynomial& h, const SparseMatrix& block, const Intege
 
 /// u_0 … u_{d-1} with f(x) − f(M) = (x − M) Σ_t x^t u_t for f monic of degree d, each applied to v.
 std::vector<IntegerVector> difference_quotient(const Polynomial& f, const SparseMatrix& block, const IntegerVector& v) {
+    assert(f.size() >= 2 && f.back() == 1);
     std::vector<IntegerVector> u(f.size() - 1);
     u.back() = v;
     for (std::size_t t = u.size() - 1; t > 0; --t) u[t - 1] = horner(block, u[t], f[t], v);
@@ -101,6 +104,7 @@ std::vector<Number> perron_vector(const SparseMatrix& block, const NumberField& 
     const Polynomial& p = field.minimal_polynomial();
     Polynomial chi = characteristic_polynomial(block);
     const Polynomial h = divide(chi, p);
+    assert(std::ranges::all_of(chi, [](const Integer& entry) { return entry == 0; }) && "the ratio is an eigenvalue");
     const IntegerVector start = apply(h, block, IntegerVector(block.size(), 1));
     const std::vector<IntegerVector> u = difference_quotient(p, block, start);
     std::vector<Number> result;
@@ -113,6 +117,7 @@ std::vector<Number> perron_vector(const SparseMatrix& block, const NumberField& 
 }
 
 std::vector<Number> resolvent(const SparseMatrix& block, const NumberField& field, const std::vector<Number>& b) {
+    assert(b.size() == block.size());
     if (block.size() == 1) {
         const Number own(block.front().empty() ? 0L : static_cast<long>(block.front().front().second));
         return {b.front() / (field.generator() - own)};

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 
 namespace internode {
@@ -52,6 +53,7 @@ Compressed compressed(const ClassGraph& graph, const IntervalClass& final) {
 
 std::vector<Quantity> spread(const std::vector<RationalBounds>& bounds, const std::vector<std::uint32_t>& symbols,
                              std::size_t n) {
+    assert(bounds.size() == symbols.size());
     std::vector<Quantity> result(n, exact_quantity(Number(0)));
     for (std::size_t i = 0; i < symbols.size(); ++i) {
         const bool point = bounds[i].lower == bounds[i].upper;
@@ -63,6 +65,7 @@ std::vector<Quantity> spread(const std::vector<RationalBounds>& bounds, const st
 
 std::optional<EnclosedConflict> conflict(const LengthDeclaration& declaration, const RationalBounds& bounds,
                                          const Alphabet& names) {
+    assert(bounds.lower <= bounds.upper);
     if (bounds.lower == bounds.upper && declaration.length == bounds.lower) return std::nullopt;
     const bool certain = declaration.length < bounds.lower || declaration.length > bounds.upper;
     const Enclosure around = to_enclosure(bounds);
@@ -112,6 +115,7 @@ std::vector<Quantity> enclosed_frequencies(const ClassGraph& graph) {
         sum.upper += one.upper;
     }
     for (RationalBounds& one : *bounds) {
+        assert(one.lower > 0 && one.lower <= one.upper);
         const Rational others_low = sum.lower - one.lower;
         const Rational others_high = sum.upper - one.upper;
         one = {one.lower / (one.lower + others_high), one.upper / (one.upper + others_low)};

@@ -7,6 +7,7 @@
 #include "internode/interval/enclosed_vector.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace internode {
@@ -34,6 +35,7 @@ constexpr double enough_slack = 0.01;
 /// w > 0 with (λI − M') w >= enough_slack x by Gauss–Seidel, or nothing. w_k = 0 stands for the missing column.
 std::optional<std::vector<double>> positive_slack(const SparseMatrix& matrix, const std::vector<double>& x,
                                                   std::size_t k, double lambda) {
+    assert(x.size() == matrix.size() && k < matrix.size());
     std::vector<double> w = x;
     w[k] = 0;
     const std::size_t sweeps = work_limit / entries(matrix) + 1;
@@ -70,6 +72,7 @@ Integer product(const SparseRow& row, const std::vector<Integer>& vector) {
 std::optional<std::pair<Rational, Rational>> steps(const SparseMatrix& matrix, const std::vector<Integer>& x,
                                                    const std::vector<Integer>& w, std::size_t k,
                                                    const Enclosure& radius) {
+    assert(x.size() == matrix.size() && w.size() == matrix.size() && w[k] == 0);
     const Rational low = to_rational(radius.lower);
     const Rational high = to_rational(radius.upper);
     std::pair<Rational, Rational> result;
@@ -90,6 +93,7 @@ std::optional<std::pair<Rational, Rational>> steps(const SparseMatrix& matrix, c
 
 void rescale(std::vector<RationalBounds>& bounds, std::size_t unit, const Rational& value) {
     const RationalBounds divisor = bounds.at(unit);
+    assert(value > 0 && divisor.lower > 0 && divisor.lower <= divisor.upper);
     for (RationalBounds& one : bounds) {
         one.lower = one.lower * value / divisor.upper;
         one.upper = one.upper * value / divisor.lower;
@@ -99,6 +103,7 @@ void rescale(std::vector<RationalBounds>& bounds, std::size_t unit, const Ration
 
 std::optional<std::vector<RationalBounds>> enclose_vector(const SparseMatrix& matrix,
                                                           const std::vector<std::uint32_t>& final) {
+    assert(!final.empty());
     const CertifiedRadius start = enclose_radius(matrix, radius_width);
     // A heavy symbol for k: the heavier, the further ρ(M') lies below ρ.
     const std::size_t k =

@@ -6,6 +6,7 @@
 #include "internode/interval/system_maker.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 #include <stdexcept>
 
@@ -46,6 +47,8 @@ std::string SystemMaker::generator_name(const NumberField& field) {
 
 IntervalSystem SystemMaker::make(IntervalGrammar grammar, NumberField field, Number ratio, std::vector<Number> lengths,
                                  std::size_t period) {
+    assert(lengths.size() == grammar.alphabet.size() && grammar.rules.size() == grammar.alphabet.size());
+    assert(ratio > 1 && period >= 1);
     std::string name = generator_name(field);
     return IntervalSystem(
         {std::move(grammar), std::move(field), std::move(ratio), std::move(name), std::move(lengths), period});

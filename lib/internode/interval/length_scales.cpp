@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 #include <stdexcept>
 
@@ -22,6 +23,7 @@ using Numbers = std::vector<Number>;
 
 /// The lengths of one class from those of the classes it leads to.
 void fill_class(const ExactSystem& system, const IntervalClass& one, Numbers& lengths) {
+    assert(lengths.size() == system.graph.matrix.size());
     Numbers values;
     if (one.final) {
         values = perron_vector(one.block, system.field);
@@ -34,6 +36,7 @@ void fill_class(const ExactSystem& system, const IntervalClass& one, Numbers& le
         }
         values = resolvent(one.block, system.field, values);
     }
+    assert(values.size() == one.members.size());
     for (std::size_t i = 0; i < one.members.size(); ++i) lengths[one.members[i]] = values[i];
 }
 
@@ -52,6 +55,7 @@ void multiply_homes(const ExactSystem& system, const std::vector<std::optional<N
 
 /// n_0ᵀ (ρ-weighted) as it arrives in the final classes: n_F + n_N (ρI − M_NN)^{-1} M_NF.
 Numbers arrivals(const ExactSystem& system, Numbers counts) {
+    assert(counts.size() == system.graph.matrix.size());
     const auto& classes = system.graph.classes;
     for (auto one = classes.rbegin(); one != classes.rend(); ++one) {
         if (one->final) continue;
@@ -102,6 +106,7 @@ public:
     void take(const FixedLength& declaration) {
         const std::uint32_t home = home_of(declaration.symbol);
         const Number& length = lengths_[to_index(declaration.symbol)];
+        assert(home != no_class && length.sign() > 0);
         if (!scales_[home])
             scales_[home] = declaration.length / length;
         else
@@ -181,6 +186,7 @@ private:
 };
 
 Number inner_product(const Numbers& a, const Numbers& b) {
+    assert(a.size() == b.size());
     Number sum;
     for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
     return sum;
@@ -189,6 +195,7 @@ Number inner_product(const Numbers& a, const Numbers& b) {
 void normalise(Numbers& values) {
     Number sum;
     for (const Number& value : values) sum += value;
+    assert(sum.sign() > 0);
     const Number inverse = Number(1) / sum;
     for (Number& value : values) value *= inverse;
 }
@@ -222,6 +229,7 @@ std::vector<Number> unit_lengths(const ExactSystem& system) {
 ScaledLengths scale_lengths(const ExactSystem& system, std::vector<Number> lengths,
                             const std::vector<FixedLength>& declarations, const Alphabet& names,
                             const std::string& generator) {
+    assert(lengths.size() == names.size());
     Scaling scaling(system, std::move(lengths), names, generator);
     std::vector<FixedLength> shared;
     for (const FixedLength& declaration : declarations) {

@@ -2,6 +2,8 @@
 
 #include "internode/interval/quantity.h"
 
+#include <cassert>
+
 namespace internode {
 
 Quantity exact_quantity(const Number& number) {
@@ -10,6 +12,7 @@ Quantity exact_quantity(const Number& number) {
 }
 
 Quantity enclosed_quantity(const Enclosure& bounds) {
+    assert(bounds.lower <= bounds.upper);
     return {bounds.lower + (bounds.upper - bounds.lower) / 2, bounds, std::nullopt};
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 #include <optional>
 
@@ -18,7 +19,10 @@ constexpr std::size_t named_symbols = 8;
 class Writer {
 public:
     explicit Writer(const Diagnosis& diagnosis)
-        : diagnosis_(diagnosis) {}
+        : diagnosis_(diagnosis) {
+        assert(diagnosis.radii.size() == diagnosis.graph.classes.size());
+        assert(diagnosis.largest.order.size() == diagnosis.radii.size());
+    }
 
     [[nodiscard]] std::string name(std::size_t index) const {
         const auto& members = one(index).members;
@@ -96,6 +100,7 @@ std::vector<std::optional<std::size_t>> produced_basic(const Diagnosis& diagnosi
     for (std::size_t i = 0; i < result.size(); ++i) {
         for (const std::uint32_t successor : diagnosis.graph.classes[i].successors) {
             if (result[i]) break;
+            assert(successor < i && "successors come first");
             result[i] = is_basic(diagnosis, successor) ? std::optional<std::size_t>(successor) : result[successor];
         }
     }

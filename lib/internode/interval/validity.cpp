@@ -12,6 +12,7 @@
 #include "internode/interval/system_maker.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <numeric>
 
@@ -92,6 +93,7 @@ std::vector<std::string> theorems(const ClassGraph& graph) {
 /// Whether ratio and lengths can be had in a field within the limits.
 bool is_exact(const Analysis& analysis, const ValidityLimits& limits) {
     const ClassRadius& radius = analysis.radii[analysis.largest.index];
+    assert(!radius.value.exact || radius.field);
     if (!analysis.decided || !radius.value.exact) return false;
     std::size_t products = 0;
     for (const IntervalClass& one : analysis.graph.classes) {
@@ -114,6 +116,7 @@ std::vector<Quantity> exact_quantities(const std::vector<Number>& numbers) {
 }
 
 void solve_exactly(const Analysis& analysis, Verdict& verdict) {
+    assert(verdict.field);
     const ExactSystem system{analysis.graph, *verdict.field};
     const std::string generator = SystemMaker::generator_name(*verdict.field);
     std::vector<FixedLength> declared;
@@ -184,6 +187,7 @@ std::string_view to_string(ReasonCode code) {
     case ReasonCode::Overlap:
         return "overlap";
     }
+    assert(false);
     return "";
 }
 
