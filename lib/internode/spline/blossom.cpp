@@ -3,6 +3,7 @@
 #include "internode/spline/blossom.h"
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 #include <utility>
 
@@ -50,6 +51,7 @@ std::vector<Number> PolynomialPiece::weights(std::span<const Number> arguments) 
             result[s] = right;
         }
     }
+    assert(reciprocal == reciprocals_.end());
     return result;
 }
 

@@ -5,6 +5,7 @@
 #include "internode/spline/blossom.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <optional>
 #include <stdexcept>
@@ -30,12 +31,14 @@ RefinedWord refine(const IntervalSystem& system, WordView word) {
         result.letter.insert(result.letter.end(), system.rules().image(word[p]).size(), p);
         result.coarse.push_back(result.knots[result.letter.size()]);
     }
+    assert(result.letter.size() == result.word.size());
     return result;
 }
 
 /// The piece over letter p of a word. The weight of the word's own control point does not depend on knots outside its
 /// support: these are put at its ends.
 PolynomialPiece piece(const std::vector<Number>& coarse, std::size_t p) {
+    assert(coarse.size() >= 3 && p + 1 < coarse.size());
     const std::size_t d = coarse.size() - 2;
     std::vector<Number> local;
     for (std::size_t i = p + 1; i <= p + 2 * d; ++i) // τ_{i-d}
@@ -56,6 +59,7 @@ Mask mask(const IntervalSystem& system, WordView word) {
         // Any piece that meets the new support will do; at most d letters in a row are empty.
         std::size_t m = l;
         while (refined.word[m] == zero_interval) ++m;
+        assert(m <= l + d);
         const std::size_t p = refined.letter[m];
         if (!pieces[p]) pieces[p] = piece(refined.coarse, p);
         const std::span<const Number> arguments(refined.knots.data() + l + 1, d);

@@ -5,6 +5,7 @@
 #include "internode/interval/decomposition_graph.h"
 #include "internode/spline/blossom.h"
 
+#include <cassert>
 #include <stdexcept>
 
 namespace internode {
@@ -32,6 +33,7 @@ PolygonConstant largest_polygon_constant(const IntervalSystem& system, int degre
         Number value = polygon_constant(system, word);
         if (result.word.empty() || value > result.value) result = {std::move(value), word};
     }
+    assert(!result.word.empty());
     return result;
 }
 

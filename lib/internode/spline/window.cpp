@@ -51,6 +51,7 @@ WindowPiece::WindowPiece(const IntervalSystem& system, WordView window)
 
 Word WindowPiece::child_window(std::size_t c) const {
     if (c >= child_count_) throw std::out_of_range("no such child of a window");
+    assert(first_ + c + 1 >= degree() && first_ + c + degree() <= image_.size());
     const auto begin = image_.begin() + static_cast<std::ptrdiff_t>(first_ + c + 1 - degree());
     return {begin, begin + static_cast<std::ptrdiff_t>(2 * degree() - 1)};
 }
@@ -62,6 +63,7 @@ std::vector<Number> WindowPiece::child(std::size_t c) const {
 
 std::vector<Number> WindowPiece::leading(std::size_t z) const {
     if (z > degree()) throw std::out_of_range("at most d intervals lead a window");
+    assert(z <= first_ + 1);
     return piece_.weights({knots_.data() + first_ + 1 - z, degree()});
 }
 
@@ -108,6 +110,7 @@ namespace {
 
 /// Δ of every two neighbours, weight by weight: one row fewer.
 void take_differences(std::vector<std::vector<Number>>& rows) {
+    assert(!rows.empty());
     for (std::size_t b = 0; b + 1 < rows.size(); ++b)
         for (std::size_t i = 0; i < rows[b].size(); ++i) rows[b][i] = rows[b + 1][i] - rows[b][i];
     rows.pop_back();
