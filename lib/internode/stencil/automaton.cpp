@@ -45,6 +45,7 @@ public:
             expand(automaton_.states_[expanded++]);
         }
         automaton_.first_child_.push_back(automaton_.children_.size());
+        assert(automaton_.first_child_.size() == automaton_.state_count() + 1);
         if (rows == AutomatonRows::None) return std::move(automaton_);
         // A piece for each state, a row for each child.
         begin_exact_work(
@@ -133,6 +134,7 @@ namespace {
 
 /// How many empty letters stand from place i on, going round in a circular word; stops counting beyond d.
 std::size_t zeros_from(WordView word, std::size_t i, std::size_t d) {
+    assert(!word.empty());
     std::size_t zeros = 0;
     while (zeros <= d && word[(i + zeros) % word.size()] == zero_interval) ++zeros;
     return zeros;
@@ -141,6 +143,7 @@ std::size_t zeros_from(WordView word, std::size_t i, std::size_t d) {
 /// The 2d-1 letters around place j, going round in a circular word.
 Word window_around(WordView word, std::size_t j, std::size_t d) {
     const std::size_t n = word.size();
+    assert(n > 0 && d > 0);
     Word window;
     window.reserve(2 * d - 1);
     // j + n·d is the same place, and nothing left of it is negative.

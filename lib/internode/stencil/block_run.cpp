@@ -10,6 +10,7 @@
 #include "internode/stencil/parallel.h"
 
 #include <algorithm>
+#include <cassert>
 #include <type_traits>
 
 namespace internode {
@@ -40,6 +41,7 @@ struct Task {
 /// Runs of cells that write about `grain` points each.
 template<typename State>
 std::vector<Task> tasks_of(const FusedStencils& stencils, const State* states, std::size_t cells, std::size_t grain) {
+    assert(cells > 0 && grain > 0);
     std::vector<Task> tasks;
     std::size_t point = 0;
     Task task{0, 0, 0};
@@ -50,6 +52,7 @@ std::vector<Task> tasks_of(const FusedStencils& stencils, const State* states, s
         tasks.push_back(task);
         task = {cell + 1, 0, point};
     }
+    assert(tasks.back().last_cell == cells);
     return tasks;
 }
 
@@ -62,11 +65,14 @@ public:
         , cells_(cells)
         , parents_(parents) {
         if constexpr (!std::is_same_v<Scalar, double>) own_weights_ = converted<Scalar>(stencils.weights);
+        assert(stencils.first_row.size() == stencils.offset.size() + 1);
+        assert(stencils.weights.size() == stencils.row_count() * stencils.width);
         copy_ends();
     }
 
     void run(Scalar* out, const ApplyOptions& options) const {
         const std::size_t dimension = parents_.dimension;
+        assert(dimension > 0);
         const std::size_t grain = std::max<std::size_t>(1, options.grain / dimension);
         const std::vector<Task> tasks = tasks_of(stencils_, states_, cells_, grain);
         std::size_t points = 0;

@@ -10,6 +10,7 @@ namespace {
 
 template<typename State>
 std::vector<State> narrowed(const std::vector<std::uint32_t>& states) {
+    assert(std::ranges::all_of(states, [](std::uint32_t state) { return static_cast<State>(state) == state; }));
     std::vector<State> result(states.size());
     std::ranges::transform(states, result.begin(), [](std::uint32_t state) { return static_cast<State>(state); });
     return result;
@@ -35,6 +36,7 @@ std::size_t CellArray::bytes_for(std::size_t state_count) {
 }
 
 CellArray::CellArray(const std::vector<std::uint32_t>& states, std::size_t state_count) {
+    assert(std::ranges::all_of(states, [&](std::uint32_t state) { return state < state_count; }));
     switch (bytes_for(state_count)) {
     case 1:
         states_ = narrowed<std::uint8_t>(states);

@@ -2,9 +2,12 @@
 
 #include "internode/stencil/cell_automaton.h"
 
+#include <cassert>
+
 namespace internode {
 
 CellAutomaton::Support CellAutomaton::support(std::uint32_t row) const {
+    assert(row < row_count());
     const std::span<const Number> weights = exact_weights(row);
     Support support{0, weights.size() - 1};
     while (support.first < support.last && weights[support.first].sign() == 0) ++support.first;
@@ -13,6 +16,7 @@ CellAutomaton::Support CellAutomaton::support(std::uint32_t row) const {
 }
 
 Number CellAutomaton::row_sum(std::uint32_t row) const {
+    assert(row < row_count());
     Number sum;
     for (const Number& weight : exact_weights(row)) sum += weight;
     return sum;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <limits>
 #include <map>
 #include <stdexcept>
@@ -99,6 +100,7 @@ public:
                 automaton.children_.push_back({child.state, row->second});
             }
         }
+        assert(label == labels.size());
         automaton.first_child_.push_back(automaton.children_.size());
         return automaton;
     }
@@ -106,6 +108,7 @@ public:
 private:
     static void add_row(CellAutomaton& automaton, const CellRow& row, std::size_t place) {
         std::vector<Number> whole(automaton.width_);
+        assert(place + row.weights.size() <= automaton.width_);
         std::ranges::copy(row.weights, whole.begin() + static_cast<std::ptrdiff_t>(place));
         for (const Number& weight : whole) {
             automaton.weights_.push_back(weight.to_double());
@@ -131,6 +134,7 @@ CellRules rules_of(const CellAutomaton& automaton) {
     CellRules rules(automaton.state_count());
     for (std::uint32_t state = 0; state < rules.size(); ++state)
         for (const CellAutomaton::Child& child : automaton.children(state)) {
+            assert(child.row < automaton.row_count());
             const auto weights = automaton.exact_weights(child.row);
             rules[state].push_back({child.state, trimmed({automaton.offset(state), {weights.begin(), weights.end()}})});
         }
@@ -147,6 +151,7 @@ std::vector<std::uint32_t> row_labels(const CellRules& rules) {
 
 std::vector<std::uint32_t> equivalent_states(const CellRules& rules, std::span<const std::uint32_t> labels,
                                              std::span<const std::uint32_t> colors) {
+    assert(colors.empty() || colors.size() == rules.size());
     std::vector<std::uint32_t> classes(colors.begin(), colors.end());
     classes.resize(rules.size());
     std::size_t count = 0;
@@ -162,8 +167,10 @@ std::vector<std::uint32_t> equivalent_states(const CellRules& rules, std::span<c
             }
             signatures.push_back(std::move(signature));
         }
+        assert(label == labels.size());
         classes = numbered(signatures);
         // Each round only splits classes.
+        assert(class_count(classes) >= count);
         if (class_count(classes) == count) return classes;
         count = class_count(classes);
     }
@@ -175,6 +182,7 @@ NormalForm normal_form(const CellRules& rules, std::span<const std::uint32_t> st
     std::vector<std::uint32_t> example;                            // a state of each
     NormalForm normal;
     const auto meet = [&](std::uint32_t state) {
+        assert(state < classes.size());
         std::uint32_t& known = number[classes[state]];
         if (known == none) {
             known = static_cast<std::uint32_t>(example.size());

@@ -10,6 +10,7 @@
 #include "internode/spline/window.h"
 
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -32,6 +33,7 @@ public:
     explicit Piece(std::vector<DoubleDouble> local_knots)
         : knots_(std::move(local_knots)) {
         const std::size_t d = degree();
+        assert(knots_.size() % 2 == 0 && d >= 1 && d < max_width && (knots_[d] - knots_[d - 1]).hi > 0);
         for (std::size_t level = 1; level <= d; ++level)
             for (std::size_t i = 0; i + level <= d; ++i)
                 reciprocals_.push_back(DoubleDouble{1, 0} / (knots_[i + d] - knots_[i + level - 1]));
@@ -61,6 +63,7 @@ public:
 
 private:
     [[nodiscard]] const DoubleDouble* reciprocals_of(std::size_t level) const {
+        assert(level >= 1 && level <= degree());
         // Level l has d - l + 1 of them.
         const std::size_t d = degree();
         return reciprocals_.data() + (level - 1) * (d + 1) - (level - 1) * level / 2;
@@ -98,6 +101,7 @@ public:
             for (std::size_t row = 0; row < rows; ++row) add(piece.weights(knots.data() + row), table);
             if (!(piece.largest() <= largest_sum)) return false;
         }
+        assert(table.weights.size() == table.row_count() * table.width);
         return true;
     }
 
@@ -108,6 +112,7 @@ private:
 
     /// The 2d knots of a window, 0 where its middle interval starts.
     [[nodiscard]] std::vector<DoubleDouble> local_knots(const Word& window) const {
+        assert(window.size() % 2 == 1);
         const std::size_t d = window.size() / 2 + 1;
         std::vector<DoubleDouble> knots(2 * d);
         for (std::size_t i = d; i < 2 * d; ++i) knots[i] = knots[i - 1] + length(window[i - 1], lengths_);
@@ -117,6 +122,7 @@ private:
 
     /// The knots after the start of each descendant's cell, d of them from entry `row` on for that row.
     [[nodiscard]] std::vector<DoubleDouble> refined_knots(const FusedStencils& table, std::uint32_t state) const {
+        assert(table.rows(state) > 0);
         const std::size_t d = table.width - 1;
         const CellState& cell = automaton_.state(state);
         const std::uint32_t first = table.first_row[state];
@@ -138,6 +144,7 @@ private:
 
     /// u_{1-z} … u_{d-z} around child 0, which starts at u_0 = 0.
     [[nodiscard]] std::vector<DoubleDouble> leading_knots(const Word& window, std::size_t d, std::size_t lead) const {
+        assert(lead >= 1 && lead <= d && window.size() == 2 * d - 1);
         std::vector<DoubleDouble> knots(2 * d);
         for (std::size_t i = d; i < 2 * d; ++i) knots[i] = knots[i - 1] + length(window[i - 1], refined_lengths_);
         for (std::size_t i = d - 1; i-- > 0;) knots[i] = knots[i + 1] - length(window[i], refined_lengths_);
@@ -175,6 +182,7 @@ void add_generation(const StencilAutomaton& automaton, FusedStencils& table) {
 
 /// What is not wanted has no row.
 void keep(const std::vector<bool>& wanted, FusedStencils& table) {
+    assert(table.first_row.size() == wanted.size() + 1);
     std::vector<std::uint32_t> descendants;
     std::vector<std::uint32_t> first_row{0};
     for (std::uint32_t state = 0; state < wanted.size(); ++state) {
@@ -209,6 +217,7 @@ void add_exact_rows(const StencilAutomaton& automaton, const IntervalSystem& sys
         }
         for (std::size_t c = 0; c < piece.child_count(); ++c) add(piece.child(c));
     }
+    assert(table.weights.size() == table.row_count() * table.width);
 }
 
 /// No step yet: every state is its own descendant.

@@ -2,6 +2,7 @@
 
 #include "internode/stencil/levels.h"
 
+#include <cassert>
 #include <stdexcept>
 
 namespace internode {
@@ -17,9 +18,13 @@ std::vector<bool> present(const std::vector<std::uint64_t>& cells_of) {
 } // namespace
 
 Levels levels_of(const CellAutomaton& automaton, const std::vector<std::uint32_t>& cells, int steps) {
+    assert(steps >= 0);
     constexpr std::uint64_t most = std::uint64_t{1} << 62;
     std::vector<std::uint64_t> cells_of(automaton.state_count());
-    for (const std::uint32_t state : cells) ++cells_of[state];
+    for (const std::uint32_t state : cells) {
+        assert(state < cells_of.size());
+        ++cells_of[state];
+    }
     Levels levels{{cells.size()}, {present(cells_of)}};
     for (int step = 0; step < steps; ++step) {
         std::vector<std::uint64_t> next(cells_of.size());

@@ -5,6 +5,7 @@
 #include "internode/stencil/block_run.h"
 #include "internode/stencil/levels.h"
 
+#include <cassert>
 #include <optional>
 #include <stdexcept>
 
@@ -33,6 +34,7 @@ LevelsPlan::LevelsPlan(const IntervalSystem& system, const StartCells& start, in
         }
         base = level - 1;
     }
+    assert(levels_.size() == static_cast<std::size_t>(steps));
 }
 
 std::uint64_t LevelsPlan::start(int level) const {
@@ -41,6 +43,7 @@ std::uint64_t LevelsPlan::start(int level) const {
 }
 
 CellArray LevelsPlan::cells_of(int base) const {
+    assert(base >= 0 && static_cast<std::size_t>(base) <= levels_.size());
     if (base == 0) return {plan_.cells(), plan_.automaton().state_count()};
     const Level& level = levels_[static_cast<std::size_t>(base - 1)];
     return cells_of(level.base).refined(*level.stencils, sizes()[static_cast<std::size_t>(base)]);

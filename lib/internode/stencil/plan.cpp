@@ -11,6 +11,7 @@
 #include "internode/stencil/parallel.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 #include <stdexcept>
 
@@ -32,6 +33,7 @@ public:
     /// The steps of the block that ends after `level` steps: as many as its table allows, and more where the points
     /// before it would be a large part of the output.
     [[nodiscard]] int last_block(std::size_t level) const {
+        assert(level >= 1 && level < levels_.sizes.size());
         const std::size_t most = std::min<std::size_t>(level, static_cast<std::size_t>(options_.most_fused_steps));
         std::vector<std::uint64_t> descendants(automaton_.state_count(), 1);
         advance(descendants);
@@ -58,6 +60,7 @@ private:
     }
 
     [[nodiscard]] std::uint64_t rows_of(const std::vector<std::uint64_t>& descendants, std::size_t level) const {
+        assert(levels_.occupied[level].size() == descendants.size());
         std::uint64_t rows = 0;
         for (std::size_t state = 0; state < descendants.size(); ++state)
             if (levels_.occupied[level][state]) rows = std::min(most_rows, rows + descendants[state]);
@@ -136,6 +139,7 @@ void RefinementPlan::choose_blocks(int steps, const StepFuser& fuser, const Plan
         int count = choice.last_block(static_cast<std::size_t>(level));
         std::shared_ptr<const FusedStencils> stencils = table(level, count);
         if (stencils == nullptr) stencils = table(level, count = 1);
+        assert(stencils != nullptr && stencils->steps == count && "one step is always there");
         level -= count;
         blocks_.insert(blocks_.begin(), {level, stencils});
     }
@@ -179,6 +183,7 @@ std::vector<CellArray> RefinementPlan::block_cells() const {
 template<typename Scalar>
 void RefinementPlan::apply_blocks(const std::vector<CellArray>& cells, const Scalar* points, std::size_t dimension,
                                   Scalar* out, const ApplyOptions& options) const {
+    assert(cells.size() == blocks_.size());
     if (blocks_.empty()) std::copy_n(points, coordinates(input_size(), dimension), out);
     CoordinateBuffer<Scalar> before;
     for (std::size_t i = 0; i < blocks_.size(); ++i) {

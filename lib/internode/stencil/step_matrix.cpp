@@ -4,6 +4,7 @@
 
 #include "internode/stencil/automaton.h"
 
+#include <cassert>
 #include <limits>
 #include <map>
 #include <stdexcept>
@@ -13,6 +14,7 @@ namespace {
 
 /// cell + shift, wrapped into 0 … columns-1; only circular words ever wrap.
 std::uint64_t wrapped(std::size_t cell, std::ptrdiff_t shift, std::uint64_t columns) {
+    assert(columns > 0);
     const auto n = static_cast<std::ptrdiff_t>(columns);
     return static_cast<std::uint64_t>(((static_cast<std::ptrdiff_t>(cell) + shift) % n + n) % n);
 }
@@ -50,6 +52,7 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> sparse(const StepMatrix& matrix) {
     result.reserve(static_cast<Eigen::Index>(matrix.entries.size()));
     std::uint64_t next_row = 0;
     for (const StepMatrix::Entry& entry : matrix.entries) {
+        assert(entry.row < matrix.rows && entry.column < matrix.columns && entry.row + 1 >= next_row);
         while (next_row <= entry.row) result.startVec(static_cast<Eigen::Index>(next_row++));
         result.insertBack(static_cast<Eigen::Index>(entry.row), static_cast<Eigen::Index>(entry.column)) =
             entry.weight.to_double();
