@@ -4,6 +4,7 @@
 
 #include "internode/curve/homogeneous.h"
 
+#include <cassert>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -23,6 +24,7 @@ std::vector<std::string> size_problems(const GridData& data) {
         return {fmt::format("{} coordinates do not make whole points of {}", data.points.size(), data.dimension)};
     const std::size_t rows = data.u.size();
     const std::size_t columns = data.v.size();
+    assert(columns > 0);
     // By division: the product of two sizes may be more than a number holds.
     if (points % columns == 0 && points / columns == rows) return {};
     return {fmt::format("knots for {} by {} control points need as many points, not {}", rows, columns, points)};
@@ -58,7 +60,9 @@ Grid::Grid(GridData data)
     , v_(std::move(data.v))
     , dimension_(data.dimension)
     , rational_(data.rational)
-    , points_(std::move(data.points)) {}
+    , points_(std::move(data.points)) {
+    assert(points_.size() == u_.size() * v_.size() * dimension_);
+}
 
 CheckedGrid make_grid(GridData data) {
     CheckedGrid checked;

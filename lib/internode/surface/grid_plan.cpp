@@ -5,6 +5,7 @@
 #include "internode/curve/refinement.h"
 #include "internode/stencil/coordinate_buffer.h"
 
+#include <cassert>
 #include <stdexcept>
 
 namespace internode {
@@ -38,7 +39,9 @@ GridPlan::GridPlan(const Knots& u, const Knots& v, int steps_u, int steps_v)
 GridPlan::GridPlan(const Cut& cut)
     : head_u_(refinement_plan(cut.u, cut.steps_u - cut.last_block(), for_many_points()))
     , tail_u_(refinement_plan(refined_knots(cut.u, head_u_.steps()), cut.steps_u - head_u_.steps(), for_many_points()))
-    , v_(refinement_plan(cut.v, cut.steps_v, for_many_points())) {}
+    , v_(refinement_plan(cut.v, cut.steps_v, for_many_points())) {
+    assert(head_u_.output_size() == tail_u_.input_size());
+}
 
 std::uint64_t GridPlan::work_bytes(std::size_t dimension) const {
     const std::uint64_t rows = tail_u_.input_size();

@@ -9,6 +9,7 @@
 #include "internode/surface/normal_rows.h"
 #include "internode/surface/stops.h"
 
+#include <cassert>
 #include <stdexcept>
 
 namespace internode {
@@ -28,12 +29,14 @@ std::vector<double> along_v(const Grid& grid, const Stops& v) {
             out += dimension;
         }
     }
+    assert(out == result.data() + result.size());
     return result;
 }
 
 /// Points of `dimension` coordinates appended as points in space.
 void append_projected(const std::vector<double>& row, std::size_t dimension, bool rational,
                       std::vector<double>& points) {
+    assert(dimension > 0 && row.size() % dimension == 0);
     for (std::size_t first = 0; first < row.size(); first += dimension) {
         const double divisor = rational ? row[first + dimension - 1] : 1;
         for (std::size_t c = 0; c < (rational ? dimension - 1 : dimension); ++c)
@@ -74,10 +77,12 @@ SurfaceLimit surface_limit(const Grid& given, const Grid& fine, Normals normals)
         combine(u.position(stop), parents.rows(stop.first), row.size(), row.data());
         append_projected(row, fine.dimension(), fine.rational(), sheet.points);
     }
+    assert(sheet.points.size() == sheet.rows * sheet.columns * sheet.dimension);
     if (normals == Normals::None) return limit;
     sheet.normals.reserve(sheet.rows * sheet.columns * 3);
     NormalRows rows(given, fine, v);
     for (const Stop& stop : u.stops) rows.append(stop, sheet.normals);
+    assert(sheet.normals.size() == sheet.rows * sheet.columns * 3);
     return limit;
 }
 

@@ -91,6 +91,8 @@ Vector3 direction(const Tangent& a, const Tangent& b) {
 
 Vector3 unit_normal(const LocalSurface& surface) {
     assert(surface.along_u.size() == surface.position.size() && surface.along_v.size() == surface.position.size());
+    assert(surface.position.size() == 3 || surface.position.size() == 4);
+    assert(surface.mixed.size() == surface.position.size());
     assert(surface.noise_u >= 0 && surface.noise_v >= 0);
     const Tangents tangents(surface);
     const Tangent u{rounded(tangents.u()), surface.noise_u};

@@ -26,6 +26,7 @@ constexpr double difference_noise = 8 * epsilon;
 constexpr double product_noise = 16 * epsilon;
 
 std::size_t modulo(std::ptrdiff_t index, std::size_t size) {
+    assert(size > 0);
     const auto signed_size = static_cast<std::ptrdiff_t>(size);
     return static_cast<std::size_t>((index % signed_size + signed_size) % signed_size);
 }
@@ -136,6 +137,7 @@ void NormalRows::enter(std::size_t letter) {
         rows->coordinates.erase(begin, begin + static_cast<std::ptrdiff_t>(gone * rows->dimension));
     }
     for (std::ptrdiff_t row = keeps ? last_row_ + 1 : first; row <= last; ++row) add_row(row);
+    assert(values_.size() == static_cast<std::size_t>(last - first) + 1 && slopes_.size() == values_.size());
     last_row_ = last;
     values_u_ = differences(u_.spans(), letter, values_);
     slopes_u_ = differences(u_.spans(), letter, slopes_);

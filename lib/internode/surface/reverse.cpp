@@ -9,6 +9,7 @@
 #include "internode/curve/reverse/reverse_step.h"
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 
 namespace internode {
@@ -18,6 +19,7 @@ namespace {
 /// Rows first … last - 1.
 std::vector<double> rows_between(const std::vector<double>& rows, std::size_t dimension, std::size_t first,
                                  std::size_t last) {
+    assert(first <= last && last * dimension <= rows.size());
     return {rows.begin() + static_cast<std::ptrdiff_t>(first * dimension),
             rows.begin() + static_cast<std::ptrdiff_t>(last * dimension)};
 }
@@ -38,6 +40,7 @@ public:
             const ReverseStep step(hierarchy_, level, options_);
             std::vector<double> coarse = step.coarse(fine, dimension);
             const Details details = step.details(fine, coarse, dimension);
+            assert(step.coarse_size() * dimension + details.vectors.size() == fine.size());
             std::ranges::copy(details.vectors,
                               coefficients.begin() + static_cast<std::ptrdiff_t>(step.coarse_size() * dimension));
             fine = std::move(coarse);
@@ -65,6 +68,7 @@ private:
 /// Rows of columns of entries, as columns of rows.
 std::vector<double> transposed(std::span<const double> points, std::size_t rows, std::size_t columns,
                                std::size_t dimension) {
+    assert(points.size() == rows * columns * dimension);
     std::vector<double> result(points.size());
     for (std::size_t i = 0; i < rows; ++i)
         for (std::size_t j = 0; j < columns; ++j)

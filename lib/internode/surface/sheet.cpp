@@ -3,6 +3,7 @@
 #include "internode/surface/sheet.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace internode {
 
@@ -29,6 +30,7 @@ std::vector<Join> joins(const Knots& knots) {
 } // namespace
 
 std::array<std::size_t, 4> Sheet::face(std::size_t k) const {
+    assert(k < faces());
     const Join& row = joined_rows[k / joined_columns.size()];
     const Join& column = joined_columns[k % joined_columns.size()];
     return {row.from * columns + column.from, row.to * columns + column.from, row.to * columns + column.to,

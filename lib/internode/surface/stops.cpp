@@ -80,6 +80,7 @@ Stops make_stops(const Knots& knots) {
         result.stops.push_back({parameter, static_cast<std::ptrdiff_t>(cell) - knots.degree(),
                                 table.row(cells[cell].window, from_left), from_left, after_break});
     };
+    assert(!starts.empty() && starts.back() + 1 < parameters.size());
     const bool open = knots.ends() == Ends::Open;
     // The d zeros of a break stand between two starts; of closed knots also across the seam.
     const bool seam_breaks = !open && starts.front() + knots.size() - starts.back() == degree + 1;
