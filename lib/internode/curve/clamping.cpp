@@ -7,6 +7,7 @@
 #include "internode/spline/blossom.h"
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 
 namespace internode {
@@ -15,6 +16,7 @@ namespace {
 /// The exact row of clamped point k over the points place - d … place, `place` an interval of the domain that it meets.
 std::vector<double> clamped_row(const Knots& knots, std::size_t k, std::size_t place) {
     const auto d = static_cast<std::size_t>(knots.degree());
+    assert(place >= d && place < knots.size() && knots.word()[place] != zero_interval);
     const std::size_t first = place + 1 - d; // of the letters of the window, and of its 2d knots
     const std::vector<Number> local =
         internode::knots(knots.system(), WordView(knots.word()).subspan(first, 2 * d - 1));

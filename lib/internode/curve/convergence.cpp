@@ -43,6 +43,7 @@ ConvergenceStep measured_step(const Curve& curve, int step) {
 
 /// The p-th root of a positive number by products alone, so that it has the same bytes on every machine.
 double root(double value, std::size_t p) {
+    assert(value > 0 && p >= 1);
     double low = std::min(value, 1.0);
     double high = std::max(value, 1.0);
     for (double middle = low + (high - low) / 2; low < middle && middle < high; middle = low + (high - low) / 2) {
@@ -55,6 +56,7 @@ double root(double value, std::size_t p) {
 
 /// Over a period p the geometric mean of p successive ratios.
 void fill_ratios(std::vector<ConvergenceStep>& steps, std::size_t period) {
+    assert(period >= 1);
     for (std::size_t s = period; s < steps.size(); ++s) {
         const double before = steps[s - period].error;
         if (before == 0) continue;
@@ -66,6 +68,7 @@ void fill_ratios(std::vector<ConvergenceStep>& steps, std::size_t period) {
 /// The first step within the tolerance: among those measured, else by refining on, else by the expected ratio.
 ToleranceDepth depth_for(double tolerance, Refinement refinement, const std::vector<ConvergenceStep>& steps,
                          const ConvergenceOptions& options, double expected_ratio) {
+    assert(!steps.empty());
     ToleranceDepth depth{tolerance, std::nullopt, true};
     const auto within = [&](const ConvergenceStep& step) { return step.envelope <= tolerance; };
     if (const auto found = std::ranges::find_if(steps, within); found != steps.end()) {

@@ -24,6 +24,7 @@ std::vector<std::string> row_problems(std::size_t dimension, std::size_t coordin
 
 /// Whether points and word have the sizes that degree, 1 … 12, and ends ask for.
 std::vector<std::string> count_problems(int degree, Ends ends, std::size_t letters, std::size_t points) {
+    assert(degree >= 1 && degree <= max_degree);
     const bool open = ends == Ends::Open;
     const std::string curve = fmt::format("{} curve of degree {}", open ? "an open" : "a closed", degree);
     const std::size_t extra = open ? static_cast<std::size_t>(degree) : 0;

@@ -34,6 +34,7 @@ Derivatives::Derivatives(const Curve& curve)
 
 void Derivatives::append(const KnotPlace& place, std::vector<double>& first, std::vector<double>& second) {
     if (place.letter != letter_) enter(place.letter);
+    assert(!pieces_.empty());
     append(pieces_.front(), place.offset, first);
     if (pieces_.size() > 1)
         append(pieces_.back(), place.offset, second);

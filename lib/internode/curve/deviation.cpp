@@ -17,6 +17,7 @@ namespace {
 /// The 2d knots of the window, 0 where the middle interval starts: summed outwards, so that they are as exact as the
 /// lengths near the interval.
 std::vector<double> local_knots(std::span<const double> lengths, std::size_t degree) {
+    assert(degree >= 1 && lengths.size() == 2 * degree - 1);
     std::vector<double> knots(2 * degree);
     for (std::size_t i = degree - 1; i > 0; --i) knots[i - 1] = knots[i] - lengths[i - 1];
     for (std::size_t i = degree - 1; i + 1 < knots.size(); ++i) knots[i + 1] = knots[i] + lengths[i];
@@ -39,6 +40,7 @@ std::vector<double> local_abscissae(const std::vector<double>& knots, std::size_
 double bernstein_coefficient(std::vector<double> values, const std::vector<double>& knots, double begin, double end,
                              std::size_t b) {
     const std::size_t degree = values.size() - 1;
+    assert(b <= degree && knots.size() == 2 * degree);
     for (std::size_t step = 1; step <= degree; ++step) {
         const double argument = step <= b ? end : begin;
         for (std::size_t q = degree; q >= step; --q) {
@@ -53,6 +55,7 @@ double bernstein_coefficient(std::vector<double> values, const std::vector<doubl
 DeviationPiece make_piece(const std::vector<double>& knots, const std::vector<double>& abscissae, double begin,
                           double end) {
     const std::size_t degree = abscissae.size() - 1;
+    assert(degree >= 2 && begin < end);
     DeviationPiece piece{begin, end, std::vector<double>((degree + 1) * (degree - 1))};
     for (std::size_t i = 1; i < degree; ++i) {
         const double center = abscissae[i];

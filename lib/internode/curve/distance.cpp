@@ -9,6 +9,7 @@
 #include "internode/curve/deviation.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <unordered_map>
 
@@ -29,6 +30,7 @@ constexpr std::size_t table_limit = 1024;
 
 /// The largest power of two that is at most value > 0.
 double power_of_two_below(double value) {
+    assert(value > 0);
     int exponent = 0;
     (void)std::frexp(value, &exponent);
     return std::ldexp(1.0, exponent - 1);
@@ -67,6 +69,7 @@ public:
 
     /// Takes degree + 1 Bernstein coefficients of `dimension` numbers into account.
     void add(const std::vector<double>& coefficients) {
+        assert(coefficients.size() == (degree_ + 1) * dimension_);
         if (settle(look_at(coefficients))) return;
         pending_.clear();
         halve({coefficients, 0});
@@ -161,6 +164,7 @@ std::vector<double> slope_jumps(const Curve& curve, const std::vector<double>& p
         for (std::size_t i = 1; i <= degree; ++i) sum += lengths[word[(k + i) % word.size()]];
         return sum / curve.degree();
     };
+    assert(points.size() == size * dimension);
     std::vector<double> jumps(points.size());
     for (std::size_t i = closed ? 0 : 1; i + (closed ? 0 : 1) < size; ++i) {
         const std::size_t before = i == 0 ? size - 1 : i - 1;
@@ -196,6 +200,7 @@ public:
 
     void run(const std::vector<double>& jumps, const std::vector<double>& sizes) {
         const std::size_t first = wrap_.closed ? 0 : degree_;
+        assert(sizes.size() == curve_.size() && jumps.size() == sizes.size() * curve_.dimension());
         for (std::size_t j = first; j < curve_.size(); ++j) {
             if (curve_.word()[j] == zero_interval) continue;
             const Table& near = table(j);
@@ -218,6 +223,7 @@ private:
     /// Place j - d + 1: of the window's first letter, and of the first slope jump. Kept non-negative by whole turns of
     /// a closed word.
     [[nodiscard]] std::size_t first_place(std::size_t j) const {
+        assert(wrap_.closed || j + 1 >= degree_);
         return wrap_.closed ? j + 1 + (degree_ * wrap_.size - degree_) : j + 1 - degree_;
     }
 
@@ -244,6 +250,7 @@ private:
     }
 
     [[nodiscard]] Table make_table(const std::vector<double>& lengths) const {
+        assert(lengths.size() == 2 * degree_ - 1);
         Table result{deviation_pieces(lengths), std::vector<double>(degree_ - 1)};
         for (const DeviationPiece& piece : result.pieces)
             for (std::size_t k = 0; k < piece.coefficients.size(); ++k) {

@@ -22,6 +22,7 @@ double size_of(std::span<const double> vector) {
 
 /// |vector / size|, between 1 and the root of the dimension.
 double relative_length(std::span<const double> vector, double size) {
+    assert(size > 0);
     double sum = 0;
     for (const double x : vector) sum += (x / size) * (x / size);
     return std::sqrt(sum);

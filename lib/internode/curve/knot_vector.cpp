@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 #include <stdexcept>
 
@@ -102,6 +103,7 @@ Problems domain_problems(const IntervalSystem& system, const KnotVector& vector)
     const std::size_t shift = is_short(vector) ? 1 : 0; // knot 0 is t_1
     const std::size_t first = degree_of(vector) - shift;
     const std::size_t last = vector.points - shift;
+    assert(first < last && last < vector.knots.size());
     Problems problems;
     const auto refuse = [&](std::string_view which, std::size_t knot) {
         problems.push_back(fmt::format("the domain goes from knot {} to knot {}, and its {} interval is empty: knots "
@@ -122,6 +124,7 @@ const Number& origin_of(const KnotVector& vector) {
 
 /// The length of each letter.
 std::vector<Number> letter_lengths(const KnotVector& vector) {
+    assert(!vector.knots.empty());
     std::vector<Number> lengths;
     lengths.reserve(vector.knots.size() + 1);
     if (is_short(vector)) lengths.emplace_back();
@@ -132,6 +135,7 @@ std::vector<Number> letter_lengths(const KnotVector& vector) {
 
 /// A symbol for each distinct length, A1, A2, …; the grammar's own name for a single one.
 FittedKnots copied(const IntervalSystem& system, const std::vector<Number>& lengths) {
+    assert(system.alphabet().size() == 1 && system.field().degree() == 1);
     KnotWord result{system, {}, {}};
     std::map<Number, Symbol> symbols;
     std::vector<Rational> distinct;
@@ -174,6 +178,7 @@ FittedKnots labelled(const IntervalSystem& system, const KnotVector& vector, con
                                                   exact_text(lengths[i], system), table.complaint(lengths[i])));
         }
     }
+    assert(!result.problems.empty() || word.size() == lengths.size());
     if (result.problems.empty()) result.fitted = KnotWord{*std::move(scaled.system), std::move(word), {}};
     return result;
 }

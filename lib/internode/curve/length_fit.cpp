@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <set>
 
 namespace internode {
@@ -96,6 +97,7 @@ OpenScale open_scale(const IntervalSystem& system, const ClassGraph& graph, std:
 
 /// Every scale at which each wanted interval is the length of a symbol, ascending.
 std::vector<Number> fitting_scales(const OpenScale& scale) {
+    assert(!scale.wanted.empty() && !scale.lengths.empty());
     std::vector<Number> fitting;
     for (auto length = scale.lengths.rbegin(); length != scale.lengths.rend(); ++length) {
         const Number factor = scale.wanted.front() / *length;
@@ -169,6 +171,7 @@ const std::vector<Symbol>& LengthTable::symbols(const Number& length) const {
 
 std::string LengthTable::complaint(const Number& length) const {
     const std::vector<Symbol>& found = symbols(length);
+    assert(found.size() != 1 && "a length of one symbol is no complaint");
     if (found.empty()) return fmt::format("no symbol has that length ({})", lengths_text(system_));
     return fmt::format("both {} and {} have that length", system_.alphabet().name(found[0]),
                        system_.alphabet().name(found[1]));

@@ -72,6 +72,7 @@ public:
 
     /// Appends the combination by `row` of the control points over the interval that starts at the cell.
     void append(std::size_t cell, const std::vector<double>& row, std::vector<double>& points) {
+        assert(row.size() == refinement_.automaton().width());
         const std::size_t dimension = curve_.dimension();
         const double* parents = parents_.rows(static_cast<std::ptrdiff_t>(cell) - curve_.degree());
         points.resize(points.size() + dimension);
@@ -100,6 +101,7 @@ void for_each_knot(const Curve& curve, const Pieces& pieces, LimitPoints& limit,
     const auto degree = static_cast<std::size_t>(curve.degree());
     const std::vector<double> knots = knot_positions(curve);
     const std::vector<std::size_t> cells = starts(curve, pieces);
+    assert(cells.back() + 1 < knots.size());
     const auto visit = [&](std::size_t cell, PieceEnd end, double parameter, bool breaks) {
         limit.parameters.push_back(parameter);
         limit.break_before.push_back(breaks);

@@ -117,6 +117,7 @@ void Refinement::step() {
     curve_.points_ = std::move(points);
     states_ = std::move(states);
     curve_.knots_ = refined_knots(curve_.knots_, 1);
+    assert(curve_.points_.size() == curve_.knots_.size() * dimension);
 }
 
 void Refinement::advance(int steps, const ApplyOptions& options) {
@@ -126,6 +127,7 @@ void Refinement::advance(int steps, const ApplyOptions& options) {
     curve_.points_ = std::move(points);
     states_ = plan.final_cells();
     curve_.knots_ = refined_knots(curve_.knots_, steps);
+    assert(states_.size() == curve_.knots_.size());
 }
 
 RefinementPlan refinement_plan(const Knots& knots, int steps, const PlanOptions& options) {

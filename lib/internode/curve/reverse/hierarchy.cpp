@@ -2,6 +2,7 @@
 
 #include "internode/curve/reverse/hierarchy.h"
 
+#include <cassert>
 #include <stdexcept>
 
 namespace internode {
@@ -10,6 +11,7 @@ namespace {
 
 /// The weights between the first and the last that is not 0, and where they start.
 GatherRow trimmed(std::ptrdiff_t first, std::span<const double> weights) {
+    assert(!weights.empty());
     while (weights.size() > 1 && weights.front() == 0) {
         weights = weights.subspan(1);
         ++first;
@@ -51,6 +53,7 @@ GatherMatrix Hierarchy::matrix(int level) const {
         for (const StencilAutomaton::Child& child : automaton_->children(cells[cell]))
             matrix.rows.push_back(trimmed(first, automaton_->weights(child.row)));
     }
+    assert(matrix.rows.size() == size(level + 1));
     return matrix;
 }
 

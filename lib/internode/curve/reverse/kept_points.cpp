@@ -7,6 +7,7 @@
 #include "internode/curve/reverse/kept_points.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <stdexcept>
 
@@ -60,6 +61,7 @@ private:
 
 /// Rows counted from `origin`, going round.
 void turn(std::span<Candidate> column, std::size_t origin, std::size_t rows) {
+    assert(origin < rows);
     for (Candidate& candidate : column) candidate.row = (candidate.row + rows - origin) % rows;
     std::ranges::sort(column, {}, &Candidate::row);
 }
@@ -92,6 +94,7 @@ std::vector<std::size_t> kept_points(const GatherMatrix& matrix) {
     Columns columns(matrix);
     const std::size_t n = matrix.columns;
     const std::size_t rows = matrix.rows.size();
+    assert(n >= 1);
     std::size_t origin = 0;
     if (matrix.ends == Ends::Circular) {
         const std::span<Candidate> first = columns.of(0);
@@ -112,6 +115,7 @@ std::vector<std::size_t> kept_points(const GatherMatrix& matrix) {
         throw std::invalid_argument("the rows of the step do not separate its control points");
     auto place = static_cast<std::size_t>(best - last.begin());
     for (std::size_t k = n; k-- > 0;) {
+        assert(place < columns.of(k).size());
         const Candidate& candidate = columns.of(k)[place];
         kept[k] = (candidate.row + origin) % rows;
         place = candidate.back;

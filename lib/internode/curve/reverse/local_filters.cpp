@@ -18,6 +18,7 @@ namespace {
 
 /// Quotient towards minus infinity, for indices that go round a closed curve.
 std::ptrdiff_t turns(std::ptrdiff_t index, std::size_t period) {
+    assert(period > 0);
     const auto n = static_cast<std::ptrdiff_t>(period);
     return index >= 0 ? index / n : -((-index + n - 1) / n);
 }
@@ -65,6 +66,7 @@ public:
         const auto left = static_cast<std::ptrdiff_t>(k);
         const bool closed = matrix_.ends == Ends::Circular;
         auto best = std::ranges::lower_bound(starts_, left) - starts_.begin();
+        assert(closed || best < start_count());
         const auto distance = [&](std::ptrdiff_t i) { return std::abs(2 * start(i) - 2 * left - degree_); };
         for (std::ptrdiff_t i = best + 1; (closed || i < start_count()) && start(i) <= left + degree_; ++i)
             if (distance(i) < distance(best)) best = i;
@@ -114,6 +116,7 @@ GatherMatrix restricted(const Line& line, Window window) {
 
 /// Row `column` of (PᵀP)^{-1} Pᵀ, refined so that A P = I holds to rounding.
 std::vector<double> pseudo_inverse_row(const GatherMatrix& matrix, std::size_t column) {
+    assert(column < matrix.columns);
     constexpr int refinements = 2;
     const NormalEquations equations(matrix);
     std::vector<double> filter(matrix.rows.size());

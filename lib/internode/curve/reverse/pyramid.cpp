@@ -9,6 +9,7 @@
 #include "internode/curve/reverse/reverse_step.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <fmt/format.h>
 #include <stdexcept>
@@ -19,6 +20,7 @@ namespace {
 
 /// The middle of the box around points, per coordinate.
 std::vector<double> middle_of(std::span<const double> points, std::size_t dimension) {
+    assert(dimension > 0 && points.size() >= dimension);
     std::vector<double> least(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(dimension));
     std::vector<double> most = least;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -70,6 +72,7 @@ std::vector<Ranked> ranked_details(const Pyramid& pyramid) {
 
 /// The pyramid with the details at these places, per level.
 Pyramid chosen(const Pyramid& pyramid, const std::vector<std::vector<bool>>& keep) {
+    assert(keep.size() == pyramid.levels.size());
     const std::size_t dimension = pyramid.coarse.dimension();
     Pyramid result{pyramid.coarse, pyramid.options, {}};
     for (std::size_t level = 0; level < pyramid.levels.size(); ++level) {
@@ -97,6 +100,7 @@ std::vector<std::vector<bool>> none_kept(const Pyramid& pyramid) {
 /// What is wrong with one level; `points` are those of its finer polygon, `before` of its coarser.
 std::string level_problem(const PyramidLevel& level, std::size_t points, std::size_t before, std::size_t dimension) {
     if (level.points != points) return fmt::format("has {} points where the word gives {}", level.points, points);
+    assert(points >= before && "no step takes points away");
     if (level.inserted != points - before)
         return fmt::format("says {} inserted points where {} knots are inserted", level.inserted, points - before);
     const Details& details = level.details;
@@ -160,6 +164,7 @@ std::vector<std::vector<double>> synthesise(const Pyramid& pyramid) {
 }
 
 std::vector<double> lengths_of(const Details& details, std::size_t dimension) {
+    assert(details.vectors.size() == details.points.size() * dimension);
     std::vector<double> lengths;
     lengths.reserve(details.points.size());
     for (std::size_t i = 0; i < details.points.size(); ++i) {

@@ -3,6 +3,7 @@
 #include "internode/curve/reverse/resampling.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -19,6 +20,7 @@ void require_points(std::span<const double> points, std::size_t dimension, std::
 
 /// Distance without overflow of the squares.
 double chord(std::span<const double> a, std::span<const double> b) {
+    assert(a.size() == b.size());
     double most = 0;
     for (std::size_t c = 0; c < a.size(); ++c) most = std::max(most, std::abs(a[c] - b[c]));
     if (most == 0) return 0;

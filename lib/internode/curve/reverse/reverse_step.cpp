@@ -9,6 +9,7 @@
 #include "internode/curve/reverse/kept_points.h"
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 
 namespace internode {
@@ -17,6 +18,7 @@ namespace {
 
 /// 0 … size - 1 without the kept ones.
 std::vector<std::size_t> others(const std::vector<std::size_t>& kept, std::size_t size) {
+    assert(kept.size() <= size);
     std::vector<bool> is_kept(size);
     for (const std::size_t point : kept) is_kept[point] = true;
     std::vector<std::size_t> rest;
