@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cstdint>
 #include <string>
 
@@ -21,6 +22,7 @@ std::string npy_header(const PointsView& points) {
     const std::size_t unpadded = preamble + dictionary.size() + 1;
     dictionary.append((alignment - unpadded % alignment) % alignment, ' ');
     dictionary += '\n';
+    assert(dictionary.size() <= 0xFFFF);
     std::string header("\x93NUMPY\x01\x00", 8);
     header += static_cast<char>(dictionary.size() & 0xFFU);
     header += static_cast<char>(dictionary.size() >> 8U);

@@ -2,6 +2,8 @@
 
 #include "internode/io/polygon.h"
 
+#include <cassert>
+
 namespace internode {
 
 namespace {
@@ -12,6 +14,7 @@ bool is_json(std::string_view text) {
 }
 
 ParsedPolygon only_one(ParsedPolygons parsed) {
+    assert(parsed.polygons.empty() != parsed.errors.empty());
     if (parsed.polygons.empty()) return {.polygon = {}, .errors = std::move(parsed.errors)};
     if (parsed.polygons.size() == 1) return {.polygon = std::move(parsed.polygons.front()), .errors = {}};
     Diagnostic second;

@@ -128,6 +128,7 @@ private:
     }
 
     void begin_polygon() {
+        assert(!begun_ && dimension_ > 0);
         InputPolygon& polygon = polygons_.emplace_back();
         polygon.source = source_;
         polygon.dimension = dimension_;
@@ -152,6 +153,7 @@ private:
     bool split() {
         fields_.clear();
         const std::string_view blanks = separator_ == '\t' ? " " : " \t";
+        assert(separator_ != '\0');
         for (std::size_t begin = 0; begin <= line_.size();) {
             if (fields_.size() == max_dimension) {
                 refuse(begin, 1, "more than " + std::to_string(max_dimension) + " coordinates, the limit");
@@ -176,6 +178,7 @@ private:
 
     /// The same for a field that opens with a quote at `quote`; inside, "" is a quote. npos after an error.
     std::size_t split_quoted(std::size_t quote) {
+        assert(quote < line_.size() && line_[quote] == '"');
         std::size_t end = quote + 1;
         while (end < line_.size() && (line_[end] != '"' || line_.substr(end).starts_with("\"\"")))
             end += line_[end] == '"' ? 2 : 1;
@@ -193,6 +196,7 @@ private:
     }
 
     void refuse_length() {
+        assert(!fields_.empty());
         const std::string counts = std::to_string(fields_.size()) +
                                    (fields_.size() == 1 ? " coordinate" : " coordinates") +
                                    ", but the first line has " + std::to_string(dimension_);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -21,12 +22,14 @@ std::uint64_t vertex_count(const Sheet& sheet) {
 }
 
 std::array<double, 3> vertex(const Sheet& sheet, std::size_t k) {
+    assert(sheet.dimension <= max_mesh_dimension && (k + 1) * sheet.dimension <= sheet.points.size());
     std::array<double, 3> point{};
     std::copy_n(sheet.points.data() + k * sheet.dimension, sheet.dimension, point.data());
     return point;
 }
 
 std::array<double, 3> normal(const Sheet& sheet, std::size_t k) {
+    assert(3 * k + 2 < sheet.normals.size());
     return {sheet.normals[3 * k], sheet.normals[3 * k + 1], sheet.normals[3 * k + 2]};
 }
 

@@ -2,6 +2,7 @@
 
 #include "internode/io/file/descriptor.h"
 
+#include <cassert>
 #include <cerrno>
 #include <system_error>
 
@@ -44,6 +45,7 @@ bool stops(ShouldStop should_stop) {
 }
 
 bool wait_for(const Descriptor& descriptor, short events, ShouldStop should_stop) {
+    assert(descriptor.is_open());
     constexpr int milliseconds = 50;
     while (!stops(should_stop)) {
         pollfd entry{descriptor.get(), events, 0};

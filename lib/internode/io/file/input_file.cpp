@@ -5,6 +5,7 @@
 #include "internode/io/file/descriptor.h"
 #include "internode/text/place.h"
 
+#include <cassert>
 #include <cerrno>
 #include <vector>
 
@@ -79,6 +80,7 @@ private:
     }
 
     std::optional<FileError> take(std::string_view bytes) {
+        assert(result_.text.size() <= options_.max_bytes);
         const std::size_t zero = bytes.find('\0');
         if (zero != std::string_view::npos) return not_text(bytes.substr(0, zero));
         if (bytes.size() > options_.max_bytes - result_.text.size())

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cerrno>
 #include <cstdint>
 #include <stdexcept>
@@ -76,6 +77,7 @@ struct OutputFile::Impl {
 
     /// The folder is held by a descriptor: it may be renamed, or left by chdir, while we compute.
     void open_beside() {
+        assert(!target.name.empty() && !target.folder.empty());
         folder = Descriptor(::open(target.folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
         if (!folder.is_open()) return fail(Kind::Missing, "no such folder");
         constexpr int tries = 100; // 2^-32 for each stray file of an earlier kill
@@ -95,6 +97,7 @@ struct OutputFile::Impl {
 
     /// The owner as far as we may, first: a change of owner clears the set-user bit.
     void keep_mode() {
+        assert(target.mode && file.is_open());
         const bool owner_kept = ::fchown(file.get(), target.owner, target.group) == 0;
         const mode_t mode = owner_kept ? *target.mode : (*target.mode & 0777U);
         if (::fchmod(file.get(), mode) != 0) fail(Kind::Unwritable, system_message(errno));
@@ -114,6 +117,7 @@ struct OutputFile::Impl {
     }
 
     ssize_t write_some(std::string_view bytes) {
+        assert(!bytes.empty() && file.is_open());
         const bool go_on = target.is_stream ? wait_for(file, POLLOUT, should_stop) : !stops(should_stop);
         if (!go_on) {
             fail(Kind::Interrupted, "interrupted");
@@ -134,6 +138,7 @@ struct OutputFile::Impl {
     }
 
     void rename() {
+        assert(folder.is_open() && !temporary.empty());
         if (::renameat(folder.get(), temporary.c_str(), folder.get(), target.name.c_str()) != 0)
             return fail(Kind::WriteFailed, system_message(errno));
         temporary.clear();

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cerrno>
 #include <climits>
 
@@ -43,6 +44,7 @@ std::string folder_of(const std::string& path) {
 
 /// Where a symbolic link points, seen from the folder it stands in; empty with errno set when that cannot be read.
 std::string read_link(const std::string& path) {
+    assert(!path.empty());
     std::array<char, PATH_MAX> buffer;
     const ssize_t size = ::readlink(path.c_str(), buffer.data(), buffer.size());
     if (size <= 0) return {};

@@ -5,6 +5,7 @@
 #include "internode/io/json/json_writer.h"
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 
 namespace internode {
@@ -57,6 +58,7 @@ void write_knots(JsonWriter& json, const CurveDocument& curve) {
 }
 
 void write_points(JsonWriter& json, const PointsView& points, std::size_t dimension) {
+    assert(dimension >= 1 && dimension <= points.dimension);
     json.key("points").begin_array();
     for (std::size_t row = 0; row < points.size() && json.good(); ++row) {
         json.begin_array(line);
@@ -67,6 +69,7 @@ void write_points(JsonWriter& json, const PointsView& points, std::size_t dimens
 }
 
 void write_weights(JsonWriter& json, const PointsView& points) {
+    assert(points.dimension >= 2);
     json.key("weights").begin_array(line);
     for (std::size_t row = 0; row < points.size() && json.good(); ++row) json.number(points[row].back());
     json.end_array();

@@ -4,6 +4,7 @@
 
 #include "internode/io/json/json_writer.h"
 
+#include <cassert>
 #include <stdexcept>
 
 namespace internode {
@@ -83,6 +84,7 @@ void write_knots(JsonWriter& json, const GridDocument& grid) {
 
 /// Row after row, a line for each.
 void write_points(JsonWriter& json, const GridDocument& grid) {
+    assert(grid.columns > 0 && grid.points.size() % grid.columns == 0);
     json.key("points").begin_array();
     for (std::size_t point = 0; point < grid.points.size() && json.good(); ++point) {
         if (point % grid.columns == 0) json.begin_array();

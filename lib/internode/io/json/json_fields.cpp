@@ -7,6 +7,7 @@
 #include "internode/text/number.h"
 
 #include <algorithm>
+#include <cassert>
 #include <charconv>
 #include <tuple>
 
@@ -89,6 +90,7 @@ void JsonFields::word(const JsonValue& value, InputPolygon& side) {
 }
 
 void JsonFields::letter(const JsonValue& value, InputPolygon& side) {
+    assert(side.word_letters);
     if (value.string() == nullptr) return refuse(value, "a symbol of `word` must be a string, not " + kind(value));
     side.word_letters->push_back({*value.string(), value.place()});
 }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 #include <set>
 
@@ -90,6 +91,7 @@ public:
     bool end_array() override { return close(); }
 
     bool key(string_t& value) override {
+        assert(!open_.empty() && open_.back().is_object);
         OpenValue& object = open_.back();
         object.key_place = begin_token();
         if (!object.keys.insert(value).second) return refuse("the key `" + shortened(value) + "` stands here twice");
@@ -130,6 +132,7 @@ private:
 
     /// Moves cursor_ to the next token and returns its place.
     TextPlace begin_token() {
+        assert(counted_ <= cursor_ && cursor_ <= text_.size());
         const std::size_t begin = std::min(text_.find_first_not_of(" \t\r\n,:", cursor_), text_.size());
         place_ = place_of(text_, begin, counted_, place_);
         cursor_ = counted_ = begin;
@@ -162,6 +165,7 @@ private:
     }
 
     bool close() {
+        assert(!open_.empty());
         begin_token();
         ++cursor_;
         OpenValue closed = std::move(open_.back());

@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t buffer_bytes = std::size_t{1} << 16;
 
 void append_unit(std::string& text, char32_t unit) {
+    assert(unit <= 0xFFFF);
     constexpr std::string_view digits = "0123456789abcdef";
     text += "\\u";
     for (int shift = 12; shift >= 0; shift -= 4) text += digits[(unit >> static_cast<unsigned>(shift)) & 0xFU];

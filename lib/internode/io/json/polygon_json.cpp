@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <charconv>
 #include <tuple>
 
@@ -57,6 +58,7 @@ private:
 
     /// The object of format "internode-curves": nothing but a version and its curves.
     void read_curves(const JsonValue& root) {
+        assert(root.object() != nullptr);
         constexpr std::array<std::string_view, 4> keys{"format", "version", "generator", "curves"};
         for (const JsonMember& member : *root.object())
             if (!member.key.starts_with("x-") && std::ranges::find(keys, member.key) == keys.end())
@@ -152,6 +154,7 @@ private:
     }
 
     void read_letter(const JsonValue& value) {
+        assert(polygon_.word_letters);
         if (value.string() == nullptr) return refuse(value, "a symbol of `word` must be a string, not " + kind(value));
         polygon_.word_letters->push_back({*value.string(), value.place()});
     }

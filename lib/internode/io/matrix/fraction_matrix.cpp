@@ -7,6 +7,8 @@
 #include "internode/io/matrix/fraction_entry.h"
 #include "internode/text/lines.h"
 
+#include <cassert>
+
 namespace internode {
 
 namespace {
@@ -18,6 +20,7 @@ char separator_of(std::string_view line) {
 }
 
 LinePiece trimmed(std::string_view line, std::size_t begin, std::size_t end) {
+    assert(begin <= end && end <= line.size());
     const std::size_t first = std::min(line.find_first_not_of(" \t", begin), end);
     const std::size_t last = first == end ? end : line.find_last_not_of(" \t", end - 1) + 1;
     return {line.substr(first, last - first), first};
@@ -72,6 +75,7 @@ private:
     }
 
     void read_row(const std::vector<LinePiece>& pieces) {
+        assert(pieces.size() == matrix_.columns);
         if (matrix_.rows.size() == max_matrix_side) {
             lines_.refuse(pieces.front(), "more than " + std::to_string(max_matrix_side) + " rows, the limit");
             full_ = true;
@@ -88,6 +92,7 @@ private:
     }
 
     void refuse_length(const std::vector<LinePiece>& pieces) {
+        assert(!pieces.empty());
         lines_.refuse(pieces.back(),
                       std::to_string(pieces.size()) + (pieces.size() == 1 ? " entry" : " entries") +
                           ", but the first row has " + std::to_string(matrix_.columns),
@@ -134,6 +139,7 @@ bool write_fraction_csv(Sink& sink, const RationalMatrix& matrix) {
             text << (stored ? to_string(row[next].value) : std::string("0"));
             if (stored) ++next;
         }
+        assert(next == row.size() && "entries ascend by column");
         if (!text.end_line()) return false;
     }
     return text.flush();

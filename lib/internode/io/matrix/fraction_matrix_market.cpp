@@ -9,6 +9,7 @@
 #include "internode/text/lines.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <iterator>
 
@@ -146,6 +147,7 @@ private:
 
     /// Entry number `read` of an array: column after column, of a symmetric one the lower triangle.
     void read_value(std::uint64_t read) {
+        assert(read < expected_ && row_ < matrix_.rows.size());
         if (read > 0 && ++row_ == matrix_.rows.size()) {
             ++column_;
             row_ = general_ ? 0 : column_;
@@ -178,6 +180,7 @@ private:
     }
 
     void store(std::uint64_t row, std::uint64_t column, const Rational& value) {
+        assert(row < matrix_.rows.size() && column < matrix_.columns);
         if (!general_ && column > row) {
             lines_.refuse(pieces_[1], "an entry above the diagonal of a symmetric matrix",
                           "only the lower triangle is written");

@@ -2,6 +2,7 @@
 
 #include "internode/io/obj/free_form_input.h"
 
+#include <cassert>
 #include <stdexcept>
 
 namespace internode {
@@ -33,6 +34,7 @@ InputPolygon free_form_polygon(const FreeFormFile& file, const FreeForm& curve) 
     InputPolygon polygon = side(file, curve.u);
     polygon.dimension = row - 1;
     for (const std::uint32_t vertex : curve.vertices) {
+        assert((vertex + std::size_t{1}) * row <= file.vertices.size());
         const auto first = file.vertices.begin() + static_cast<std::ptrdiff_t>(vertex * row);
         polygon.points.insert(polygon.points.end(), first, first + row - 1);
         if (curve.rational) polygon.weights.push_back(first[row - 1]);
@@ -42,6 +44,7 @@ InputPolygon free_form_polygon(const FreeFormFile& file, const FreeForm& curve) 
 
 InputGrid free_form_grid(const FreeFormFile& file, const FreeForm& surface) {
     if (!surface.v) throw std::invalid_argument("a curve is no grid");
+    assert(surface.vertices.size() == surface.u.points * surface.v->points);
     InputGrid grid;
     grid.source = file.source;
     grid.rows = surface.u.points;

@@ -6,6 +6,7 @@
 #include "internode/io/file/text_buffer.h"
 
 #include <algorithm>
+#include <cassert>
 #include <stdexcept>
 
 namespace internode {
@@ -15,6 +16,7 @@ namespace {
 constexpr std::size_t indices_a_line = 256;
 
 bool write_vertices(TextBuffer& text, const PointsView& points) {
+    assert(points.dimension <= max_obj_dimension);
     for (std::size_t row = 0; row < points.size(); ++row) {
         text << 'v';
         for (const double coordinate : points[row]) text << ' ' << coordinate;

@@ -10,6 +10,7 @@
 #include "internode/text/number.h"
 
 #include <algorithm>
+#include <cassert>
 #include <charconv>
 #include <stdexcept>
 
@@ -175,6 +176,7 @@ private:
 
     /// Type, degrees and ranges; false after an error.
     bool read_head(const ObjWord& keyword, std::size_t directions) {
+        assert(directions == 1 || directions == 2);
         if (type_ != "bspline") {
             refuse(keyword, type_.empty() ? quoted(keyword.text) + " before `cstype`"
                                           : "only `bspline` is read, not `cstype` " + quoted(type_));
@@ -286,6 +288,7 @@ private:
 
     /// Whether the counts fit and the ranges are the domains; else says what does not.
     bool is_whole() {
+        assert(open_);
         const std::size_t directions = open_->element.v ? 2 : 1;
         std::uint64_t product = 1;
         for (std::size_t i = 0; i < directions; ++i) {
@@ -308,6 +311,7 @@ private:
     }
 
     bool is_domain(std::size_t i) {
+        assert(direction(i).points < direction(i).knots.size());
         const FreeFormDirection& one = direction(i);
         const Range& range = open_->ranges[i];
         const Rational& first = one.knots[one.degree];
@@ -318,7 +322,10 @@ private:
                             shown_number(last) + ": parts are not read");
     }
 
-    FreeFormDirection& direction(std::size_t i) { return i == 0 ? open_->element.u : *open_->element.v; }
+    FreeFormDirection& direction(std::size_t i) {
+        assert(open_ && (i == 0 || open_->element.v));
+        return i == 0 ? open_->element.u : *open_->element.v;
+    }
 
     /// An element that is open when another begins has lost its `end`.
     void require_closed(const ObjWord& keyword) {

@@ -135,6 +135,7 @@ private:
         const std::size_t count = polyline.vertices.size() - (closed ? 1 : 0);
         polygon.points.reserve(count * row);
         for (std::size_t i = 0; i < count; ++i) {
+            assert((polyline.vertices[i] + 1) * row <= vertices_.size());
             const auto first = vertices_.begin() + static_cast<std::ptrdiff_t>(polyline.vertices[i] * row);
             polygon.points.insert(polygon.points.end(), first, first + row);
         }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,7 @@ std::optional<ObjWord> ObjWords::next_statement() {
     }
     while (at_ < text_.size()) {
         // Here stands a line's end or a comment.
+        assert(text_[at_] == '\n' || text_[at_] == '#');
         at_ = std::min(text_.find('\n', at_), text_.size());
         if (at_ < text_.size()) ++at_;
         if (const auto word = next()) return word;
