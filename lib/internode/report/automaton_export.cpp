@@ -2,6 +2,7 @@
 
 #include "internode/report/automaton_export.h"
 
+#include <cassert>
 #include <stdexcept>
 
 namespace internode {
@@ -19,6 +20,7 @@ std::vector<CellState> cells_of_windows(const std::vector<Word>& windows, int de
     const auto d = static_cast<std::uint32_t>(degree);
     std::vector<CellState> cells;
     for (const Word& window : windows) {
+        assert(window.size() + 1 == 2 * std::size_t{d});
         for (std::uint32_t z = 0; z <= d; ++z) cells.push_back({window, z});
         Word clamped(d, zero_interval);
         clamped.insert(clamped.end(), window.begin(), window.end());

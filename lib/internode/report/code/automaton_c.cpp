@@ -5,6 +5,7 @@
 #include "internode/report/code/code_tables.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace internode {
 
@@ -106,6 +107,7 @@ std::string table(const std::string& type, const std::string& name, const std::v
 
 /// A row of the windows a line.
 std::string windows_table(const CodeTables& tables, std::size_t letters) {
+    assert(letters > 0 && tables.windows.size() == tables.lead.size() * letters);
     std::string text = "static const " + tables.name + "_symbol " + tables.name + "_windows[" +
                        std::to_string(tables.lead.size()) + "][" + std::to_string(letters) + "] = {";
     for (std::size_t i = 0; i < tables.windows.size(); ++i) {
@@ -118,6 +120,7 @@ std::string windows_table(const CodeTables& tables, std::size_t letters) {
 }
 
 std::string automaton_tables(const CodeTables& tables, const CellAutomaton& automaton) {
+    assert(!tables.lead.empty() && tables.first.size() == tables.lead.size() + 1);
     const std::string& name = tables.name;
     const std::size_t width = tables.degree + 1;
     const std::uint32_t largest = *std::ranges::max_element(tables.lead);

@@ -107,6 +107,7 @@ CodeTables code_tables(const AutomatonExport& exported) {
         for (const Symbol symbol : automaton.state(s).window)
             tables.windows.push_back(symbol == zero_interval ? 0 : static_cast<std::uint32_t>(to_index(symbol)) + 1);
     }
+    assert(tables.windows.size() == tables.lead.size() * (2 * tables.degree - 1));
     return tables;
 }
 
@@ -174,6 +175,7 @@ std::string opening_comment(const CellExport& exported) {
 }
 
 std::string with_name(std::string_view text, std::string_view name) {
+    assert(!name.empty());
     std::string result;
     for (const char c : text) {
         if (c == '@')

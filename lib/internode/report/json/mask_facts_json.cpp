@@ -4,6 +4,7 @@
 
 #include "internode/report/json/json_parts.h"
 
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -42,6 +43,7 @@ void write_double(JsonWriter& json, std::string_view key, const std::optional<do
 
 /// Doubles on either side of the bounds.
 void write_bounds(JsonWriter& json, const Rational& lower, const Rational& upper) {
+    assert(lower <= upper);
     const double infinity = std::numeric_limits<double>::infinity();
     double below = to_double(lower);
     double above = to_double(upper);

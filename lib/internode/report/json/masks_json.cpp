@@ -4,6 +4,8 @@
 
 #include "internode/report/json/json_parts.h"
 
+#include <cassert>
+
 namespace internode {
 
 namespace {
@@ -17,6 +19,7 @@ void write_weights(JsonWriter& json, const std::vector<Number>& weights, const N
 }
 
 void write_decompositions(JsonWriter& json, const MaskTable& table) {
+    assert(table.graph.persistent.size() == table.masks.size());
     const Alphabet& alphabet = table.system.alphabet();
     json.key("decompositions").begin_array();
     for (std::size_t v = 0; v < table.masks.size(); ++v) {
@@ -44,6 +47,7 @@ void write_windows(JsonWriter& json, const MaskTable& table) {
         write_word(json, row.stencils.window, table.system.alphabet());
         json.key("persistent").boolean(row.persistent);
         json.key("children").begin_array();
+        assert(row.children.size() == row.stencils.children.size());
         for (std::size_t c = 0; c < row.children.size(); ++c) {
             json.begin_object(line).key("window").integer(row.children[c]).key("weights");
             write_weights(json, row.stencils.children[c], field);

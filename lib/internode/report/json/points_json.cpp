@@ -6,6 +6,7 @@
 #include "internode/point/strands.h"
 #include "internode/report/json/json_parts.h"
 
+#include <cassert>
 #include <span>
 #include <stdexcept>
 
@@ -40,6 +41,7 @@ void write_system(JsonWriter& json, const PointSystem& system, const std::string
 
 void write_points(JsonWriter& json, const PointStrands& strands, bool weighted) {
     const std::size_t width = strands.dimension;
+    assert(!weighted || width >= 2);
     if (weighted) {
         json.key("weights").begin_array(line);
         for (std::size_t i = 0; i < strands.size(); ++i) json.number(strands.points[i * width + width - 1]);
@@ -60,6 +62,7 @@ void write_strands(JsonWriter& json, const PointStrands& strands) {
     }
     json.end_array().key("lines").begin_array();
     const std::size_t width = strands.dimension;
+    assert(width == 0 || strands.lines.size() % (2 * width) == 0);
     for (std::size_t at = 0; at + 2 * width <= strands.lines.size() && width > 0 && json.good(); at += 2 * width) {
         json.begin_array(line);
         write_row(json, std::span(strands.lines).subspan(at, width));

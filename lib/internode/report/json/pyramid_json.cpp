@@ -5,6 +5,7 @@
 #include "internode/report/json/json_parts.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace internode {
 
@@ -13,6 +14,7 @@ namespace {
 constexpr JsonWriter::Layout line = JsonWriter::Layout::Line;
 
 void write_rows(JsonWriter& json, const std::vector<double>& rows, std::size_t dimension) {
+    assert(dimension > 0 && rows.size() % dimension == 0);
     json.begin_array();
     for (std::size_t row = 0; row < rows.size(); row += dimension) {
         json.begin_array(line);
@@ -58,6 +60,7 @@ void write_origin(JsonWriter& json, const Knots& knots) {
 
 void write_level(JsonWriter& json, const PyramidReport& report, std::size_t level) {
     const std::size_t dimension = report.kept.coarse.dimension();
+    assert(level + 1 < report.analysis.gains.size() && level + 1 < report.approximations.size());
     const PyramidLevel& kept = report.kept.levels[level];
     const std::vector<double> lengths = lengths_of(report.analysis.pyramid.levels[level].details, dimension);
     json.begin_object().key("points").integer(kept.points).key("inserted").integer(kept.inserted);

@@ -6,6 +6,8 @@
 #include "internode/report/json/json_parts.h"
 #include "internode/report/text/reversal_text.h"
 
+#include <cassert>
+
 namespace internode {
 
 namespace {
@@ -31,6 +33,7 @@ void write_rule(JsonWriter& json, const std::optional<ReverseRule>& rule) {
 }
 
 void write_levels(JsonWriter& json, const ReversalReport& report) {
+    assert(!report.rule || report.levels.size() + 1 == report.polygons.size());
     json.key("levels").begin_array();
     for (std::size_t down = 1; down < report.polygons.size(); ++down) {
         json.begin_object(line).key("points").integer(report.polygons[down].size() / report.dimension);
@@ -59,6 +62,7 @@ void write_points(JsonWriter& json, const ReversalReport& report) {
 } // namespace
 
 std::string reversal_json(const ReversalReport& report) {
+    assert(!report.polygons.empty() && report.dimension > 0);
     StringSink sink;
     JsonWriter json(sink);
     json.begin_object();

@@ -4,6 +4,8 @@
 
 #include "internode/report/json/json_parts.h"
 
+#include <cassert>
+
 namespace internode {
 
 namespace {
@@ -47,6 +49,7 @@ void write_ratio(JsonWriter& json, const Verdict& verdict) {
 }
 
 void write_symbols(JsonWriter& json, const Verdict& verdict, const Alphabet& alphabet) {
+    assert(verdict.occurs.size() == alphabet.size());
     const auto write_entry = [&](const std::vector<Quantity>& quantities, std::size_t i) {
         if (i < quantities.size() && verdict.occurs[i])
             write_quantity(json, quantities[i], verdict.field);

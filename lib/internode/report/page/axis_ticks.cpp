@@ -10,6 +10,7 @@
 #include "internode/report/text/text_table.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdlib>
 
@@ -63,6 +64,7 @@ double round_step(double extent) {
 } // namespace
 
 std::vector<Tick> axis_ticks(double least, double greatest, Scale scale) {
+    assert(least < greatest);
     if (scale == Scale::Logarithmic) return logarithmic_ticks(least, greatest);
     const double step =
         scale == Scale::Whole ? std::max(1.0, round_step(greatest - least)) : round_step(greatest - least);

@@ -6,6 +6,7 @@
 #include "internode/report/text/text_table.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace internode {
 
@@ -19,6 +20,7 @@ std::string step_label(const ConvergenceStep& step, const std::string& what) {
 PlotSeries slope_guide(const Convergence& convergence) {
     constexpr double below = 0.45;
     PlotSeries guide{.name = "slope −2", .style = "guide", .mark = Mark::None, .points = {}, .labels = {}};
+    assert(!convergence.steps.empty());
     const ConvergenceStep& last = convergence.steps.back();
     const ConvergenceStep& first = convergence.steps.front();
     if (first.points >= last.points) return guide;

@@ -29,6 +29,7 @@ struct Axis {
 
     [[nodiscard]] bool shows(double value) const { return scale != Scale::Logarithmic || value > 0; }
     [[nodiscard]] double transformed(double value) const {
+        assert(shows(value));
         return scale == Scale::Logarithmic ? decimal_logarithm(value) : value;
     }
     void include(double value) {

@@ -96,6 +96,7 @@ struct Piece {
 
 /// A point of a Bézier curve, by de Casteljau; with weights every step is a convex combination too (Farin).
 Point2 bezier_point(const Piece& piece, double t) {
+    assert(!piece.points.empty() && (piece.weights.empty() || piece.weights.size() == piece.points.size()));
     std::vector<Point2> points(piece.points.begin(), piece.points.end());
     std::vector<double> weights(piece.weights.begin(), piece.weights.end());
     for (std::size_t left = points.size() - 1; left > 0; --left)
@@ -114,6 +115,7 @@ Point2 bezier_point(const Piece& piece, double t) {
 
 /// The commands of one segment after its start.
 void append_segment(std::string& path, const Piece& piece, std::size_t chords, int decimals) {
+    assert(piece.points.size() >= 2 && chords > 0);
     const std::size_t degree = piece.points.size() - 1;
     if (degree <= 3 && piece.weights.empty()) {
         path += std::string_view("LQC")[degree - 1];
@@ -156,6 +158,7 @@ public:
         : curve_(curve)
         , canvas_(canvas)
         , size_(static_cast<std::size_t>(curve.degree) + 1) {
+        assert(!curve.symbols.empty());
         const std::size_t most = curve.weights.empty() ? 16 : 64; // chords: a rational piece may turn by half a circle
         chords_ = std::clamp<std::size_t>(smooth_points / curve.symbols.size(), 2, most);
         assert(curve.segments.size() == size_ * curve.symbols.size());
@@ -168,6 +171,7 @@ public:
 
     /// The commands of piece k; one that goes on where the last one of its symbol ended needs no start of its own.
     [[nodiscard]] std::string commands(std::size_t k) {
+        assert(k < curve_.symbols.size());
         pixels_.clear();
         for (std::size_t b = 0; b < size_; ++b) pixels_.push_back(canvas_.frame.pixel(curve_.segments[k * size_ + b]));
         Piece piece{pixels_, {}};

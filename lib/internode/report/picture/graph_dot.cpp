@@ -5,6 +5,7 @@
 #include "internode/report/markup.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace internode {
 
@@ -21,6 +22,7 @@ std::vector<CountedArc> counted_arcs(const std::vector<std::uint32_t>& arcs) {
 }
 
 std::string graph_dot(const FactorGraph& graph, const Alphabet& alphabet, const Generator& generator) {
+    assert(graph.arcs.size() == graph.words.size() && graph.persistent.size() == graph.words.size());
     std::string text = "digraph decompositions {\n";
     text += "    comment=" + dot_quoted("internode " + generator.version + ": " + generator.command) + ";\n";
     text += "    node [shape=box, style=\"rounded,filled\", fontname=\"Helvetica\", color=\"#777777\", "

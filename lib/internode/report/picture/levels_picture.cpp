@@ -36,6 +36,7 @@ struct PlaneLevel {
 std::vector<Point2> plane_points(const std::vector<double>& rows, std::size_t dimension, PictureAxes axes) {
     std::vector<Point2> points;
     if (dimension == 0) return points;
+    assert(rows.size() % dimension == 0);
     const std::size_t count = rows.size() / dimension;
     if (dimension > 1 && std::max(axes.right, axes.up) >= dimension)
         throw std::invalid_argument("levels_picture: no such coordinate");
@@ -69,6 +70,7 @@ PlaneBox box_of(const std::vector<PlaneLevel>& levels) {
 }
 
 std::size_t columns_for(std::size_t panels) {
+    assert(panels >= 1 && panels <= max_level_panels);
     if (panels <= 3) return panels;
     return panels == 4 ? 2 : panels <= 9 ? 3 : 4;
 }
@@ -95,6 +97,7 @@ void append_strand(std::string& path, const PlaneLevel& level, const PointStrand
 }
 
 std::string lines_of(const PlaneLevel& level, const PanelGrid& grid) {
+    assert(level.lines.size() % 2 == 0);
     std::string path;
     for (std::size_t i = 0; i + 1 < level.lines.size(); i += 2) {
         path += 'M';

@@ -6,6 +6,7 @@
 
 #include "internode/curve/parameter.h"
 
+#include <cassert>
 #include <stdexcept>
 
 namespace internode {
@@ -15,6 +16,7 @@ namespace {
 /// Two coordinates of each row, divided by the last where it is a weight.
 std::vector<Point2> drawn(const std::vector<double>& points, std::size_t dimension, PictureAxes axes,
                           Coordinates coordinates) {
+    assert(dimension > 0 && points.size() % dimension == 0);
     if (coordinates == Coordinates::Homogeneous)
         return drawn(projected(points, dimension), dimension, axes, Coordinates::Cartesian);
     std::vector<Point2> projection;
@@ -26,6 +28,7 @@ std::vector<Point2> drawn(const std::vector<double>& points, std::size_t dimensi
 
 /// The polygon of a curve of dimension 1 over its Greville abscissae; a closed one over a whole period.
 std::vector<Point2> graph_polygon(const Curve& curve) {
+    assert(curve.dimension() == 1);
     const std::vector<double> abscissae = greville_abscissae(curve);
     std::vector<Point2> polygon;
     for (std::size_t k = 0; k < curve.size(); ++k) polygon.push_back({.x = abscissae[k], .y = curve.points()[k]});
@@ -52,6 +55,7 @@ std::vector<Point2> graph_segments(const Curve& curve, const std::vector<double>
             segments.push_back({.x = start + length * (static_cast<double>(b) / static_cast<double>(degree)),
                                 .y = points[segments.size()]});
     }
+    assert(segments.size() == points.size());
     return segments;
 }
 

@@ -39,6 +39,7 @@ std::vector<std::vector<Point2>> plane_polygons(const PyramidReport& report) {
 
 /// Around all levels, though not around what noise blew up: half the size of the fine polygon beyond it at most.
 PlaneBox box_of(const std::vector<std::vector<Point2>>& polygons) {
+    assert(!polygons.empty());
     constexpr double border = 0.03; // part of the size, for lines and marks at the edge
     PlaneBox fine;
     fine.include(polygons.back());

@@ -40,6 +40,7 @@ Families families_of(std::size_t size, const StepRecord& step, const std::vector
 
 /// The widths of a word's modules, from those of the next word: a family shares the wider of the two rows.
 std::vector<double> shared_widths(Families& families, const StepRecord& step, const std::vector<double>& next) {
+    assert(next.size() == step.parent.size());
     for (std::size_t child = 0; child < next.size(); ++child)
         families.below[families.leader[step.parent[child]]] += next[child];
     std::vector<double> widths;

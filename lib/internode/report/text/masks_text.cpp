@@ -7,6 +7,8 @@
 #include "internode/text/number.h"
 #include "internode/text/printable.h"
 
+#include <cassert>
+
 namespace internode {
 
 namespace {
@@ -85,6 +87,7 @@ std::string decompositions_text(const MaskTable& table) {
 
 /// The window with its middle interval in brackets.
 std::string window_name(WordView window, const Alphabet& alphabet) {
+    assert(window.size() % 2 == 1);
     const std::size_t middle = window.size() / 2;
     const std::string before = to_string(window.first(middle), alphabet);
     const std::string after = to_string(window.subspan(middle + 1), alphabet);

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
+
 namespace internode {
 
 namespace {
@@ -28,7 +30,10 @@ std::string dense_rows(const RationalMatrix& matrix) {
     for (std::size_t i = 0; i < matrix.rows.size(); ++i) {
         std::vector<std::string> cells{std::to_string(i)};
         cells.resize(matrix.columns + 1, ".");
-        for (const RationalEntry& entry : matrix.rows[i]) cells[entry.column + 1] = to_string(entry.value);
+        for (const RationalEntry& entry : matrix.rows[i]) {
+            assert(entry.column < matrix.columns);
+            cells[entry.column + 1] = to_string(entry.value);
+        }
         table.row(std::move(cells));
     }
     return table.text();

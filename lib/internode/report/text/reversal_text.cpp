@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
+
 namespace internode {
 
 namespace {
@@ -42,6 +44,7 @@ std::string production_text(const ReverseRule& rule) {
 }
 
 std::string reversal_text(const ReversalReport& report) {
+    assert(!report.polygons.empty() && report.dimension > 0);
     const std::size_t levels = report.polygons.size() - 1;
     std::string text = fmt::format("{}: {} {} down, phase {}\n\n", printable(report.name), levels,
                                    levels == 1 ? "level" : "levels", report.phase);

@@ -49,6 +49,7 @@ struct ShortDecimal {
 
 /// The least such number that is not below the value > 0: all digits of the value are looked at, none are parsed back.
 ShortDecimal ceiling(double value) {
+    assert(value > 0);
     constexpr int all_digits = 766; // behind the first one: no double has more
     std::array<char, all_digits + 16> exact;
     const auto [end, error] =

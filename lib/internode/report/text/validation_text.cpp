@@ -7,6 +7,7 @@
 #include "internode/text/number.h"
 #include "internode/text/printable.h"
 
+#include <cassert>
 #include <numeric>
 
 namespace internode {
@@ -75,6 +76,7 @@ std::string class_ratio_text(const Quantity& quantity) {
 }
 
 std::string symbols_table(const Verdict& verdict, const Alphabet& alphabet) {
+    assert(verdict.occurs.size() == alphabet.size() && verdict.lengths.size() == alphabet.size());
     TextTable table({Align::Left, Align::Left, Align::Left}, 2, 4);
     const bool has_frequencies = !verdict.frequencies.empty();
     table.row({"symbol", "length", has_frequencies ? "frequency" : ""});
