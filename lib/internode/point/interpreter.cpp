@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace internode {
@@ -53,6 +54,7 @@ std::optional<DerivationProblem> ask(const PointSystem& system, const Query& que
 
 /// The ring read from its module number `first` on.
 ModuleWord turned(const ModuleWord& word, std::size_t first) {
+    assert(first < word.size());
     ModuleWord result;
     result.reserve(word.size(), word.value_count());
     for (std::size_t k = 0; k < word.size(); ++k) {
@@ -94,6 +96,7 @@ Derivation step_of(const PointSystem& system, Derivation from, std::uint64_t ste
 /// Interpretation pass number `pass`, when so much work is done already.
 Derivation pass_of(const PointSystem& system, ModuleWord word, std::size_t pass, std::uint64_t spent,
                    const DeriveOptions& options) {
+    assert(pass < system.grammar().interpretations.size());
     RewritingTask task{.system = system, .rules = system.grammar().interpretations[pass]};
     task.set = pass + 1;
     task.stream = pass_stream + pass;

@@ -8,6 +8,7 @@
 #include "internode/expression/symbolic_value.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <optional>
 
@@ -154,6 +155,7 @@ const std::vector<ModuleTemplate>& word_at(const PointGrammar& grammar, const Ar
 
 std::vector<AffineFinding> affine_findings(const PointGrammar& grammar, std::span<const KnownNumber> constants,
                                            std::span<const Layout> layouts) {
+    assert(!layouts.empty() && layouts.size() >= grammar.interpretations.size());
     AffineCheck check(grammar, constants);
     check.axiom_and_input();
     for (std::uint32_t rule = 0; rule < grammar.rules.size(); ++rule)

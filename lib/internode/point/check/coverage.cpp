@@ -10,6 +10,7 @@
 #include "internode/point/start_word.h"
 
 #include <algorithm>
+#include <cassert>
 #include <set>
 
 namespace internode {
@@ -127,6 +128,7 @@ private:
 
     void look_at(const ModuleWord& word, Table table) {
         const WordShape shape(word.letters(), system_.grammar());
+        assert(!table || *table < letters_.size());
         const std::vector<LetterRules>& letters = letters_[table ? *table : 0];
         const std::vector<bool> covered = covered_modules(shape, table);
         for (std::size_t i = 0; i < word.size(); ++i) {

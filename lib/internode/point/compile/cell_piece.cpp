@@ -28,6 +28,7 @@ bool starts_at(const std::vector<std::size_t>& starts, std::size_t i) {
 CellRow row_of(const PointSum& sum) {
     CellRow row;
     if (sum.terms.empty()) return row;
+    assert(std::ranges::is_sorted(sum.terms, {}, [](const auto& term) { return term.first; }));
     row.first = sum.terms.front().first;
     row.weights.resize(static_cast<std::size_t>(sum.terms.back().first - row.first) + 1);
     for (const auto& term : sum.terms) row.weights[static_cast<std::size_t>(term.first - row.first)] = term.second;
@@ -36,6 +37,7 @@ CellRow row_of(const PointSum& sum) {
 
 /// The word of a piece, its points numbered from the cell.
 Moving moving(const CellPiece& piece, const KindTable& kinds, OwnModules own) {
+    assert(piece.center < piece.kinds.size());
     std::ptrdiff_t next = -static_cast<std::ptrdiff_t>(piece.slot);
     for (std::size_t i = 0; i < piece.center; ++i)
         next -= static_cast<std::ptrdiff_t>(kinds.point_count(piece.kinds[i]));
@@ -103,6 +105,7 @@ private:
     /// The first module of the word that tells which modules cell m owns: the start of the word where no point stands
     /// between, else m itself. None where it lies before the word.
     [[nodiscard]] std::optional<std::size_t> first_told(std::size_t m) const {
+        assert(m < moving_.word.size());
         for (std::size_t i = m;; --i) {
             if (starts_at(moving_.starts, i)) return i;
             if (i == 0) return std::nullopt;

@@ -132,6 +132,7 @@ std::vector<bool> children_of(const std::vector<bool>& states, const CellRules& 
 
 /// The exact rows of one cycle, rounded once.
 FusedStencils one_cycle(const CellAutomaton& automaton, const std::vector<bool>& wanted) {
+    assert(wanted.size() == automaton.state_count());
     FusedStencils table;
     table.width = automaton.width();
     for (std::uint32_t state = 0; state < automaton.state_count(); ++state) {
@@ -215,6 +216,7 @@ RefinementPlan CompiledGrammar::plan(int cycles, const PlanOptions& options) con
 
 ModuleWord CompiledGrammar::word(std::span<const std::uint32_t> states, std::span<const double> points,
                                  std::size_t dimension) const {
+    assert(points.size() == states.size() * dimension);
     ModuleWord word;
     std::vector<double> values;
     std::size_t cell = 0;

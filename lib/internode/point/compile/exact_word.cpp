@@ -116,6 +116,7 @@ public:
         std::size_t taken = 1;
     };
     std::optional<Successor> successor(std::size_t i) {
+        assert(i < word_.size());
         std::vector<std::size_t> modules;
         for (const std::uint32_t index : rules_) {
             const PointRule& rule = system_.grammar().rules[index];

@@ -7,6 +7,8 @@
 #include "internode/point/compile/grammar_mask.h"
 #include "internode/stencil/automaton.h"
 
+#include <cassert>
+
 namespace internode {
 
 namespace {
@@ -15,6 +17,7 @@ constexpr std::size_t max_degree = 12; // of an automaton of intervals
 constexpr std::size_t max_arity = 16;
 
 NormalForm interval_form(std::size_t arity, int degree) {
+    assert(arity >= 2 && degree >= 1 && static_cast<std::size_t>(degree) <= max_degree);
     IntervalGrammar grammar;
     const Symbol letter = grammar.alphabet.add("A");
     grammar.rules = Morphism({Word(arity, letter)});

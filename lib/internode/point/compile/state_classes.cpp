@@ -17,6 +17,7 @@ namespace {
 bool widen(Reach& reach, const Reach& of_child, const PieceChild& child) {
     const Reach before = reach;
     for (std::ptrdiff_t cell = of_child.first; cell <= of_child.last; ++cell) {
+        assert(cell >= child.first && static_cast<std::size_t>(cell - child.first) < child.rows.size());
         const CellRow& row = child.rows[static_cast<std::size_t>(cell - child.first)];
         if (row.weights.empty()) continue;
         reach.first = std::min(reach.first, row.first);

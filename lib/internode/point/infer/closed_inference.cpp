@@ -39,6 +39,7 @@ struct Classes {
 };
 
 Classes classes_of(const RationalMatrix& matrix, std::size_t arity) {
+    assert(matrix.rows.size() == arity * matrix.columns);
     Classes classes;
     for (std::size_t r = 0; r < arity; ++r) {
         std::map<RationalRow, std::vector<std::size_t>, RowLess> occurrences;
@@ -81,6 +82,7 @@ Arc shortest_arc(const RationalRow& row, std::size_t columns) {
 /// m stands among the old ones when new points are spread evenly, `moved` twice m further on.
 PointStencil unrolled(const RationalRow& row, const Arc& arc, std::size_t columns, std::ptrdiff_t target,
                       std::ptrdiff_t arity) {
+    assert(!row.empty() && arc.unique && arity > 0);
     const auto n = static_cast<std::ptrdiff_t>(columns);
     const auto twice_centre = [&arc](std::ptrdiff_t first) {
         return 2 * first + static_cast<std::ptrdiff_t>(arc.width) - 1;

@@ -8,6 +8,7 @@
 #include "internode/point/infer/row_pattern.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace internode {
 
@@ -53,6 +54,7 @@ Run best_run(const RationalMatrix& matrix) {
 
 /// The stencils of the run, about old point q for new point m q + r.
 std::vector<PointStencil> stencils_of(const RationalMatrix& matrix, const Run& run) {
+    assert(run.arity > 0 && run.end() <= matrix.rows.size());
     std::vector<PointStencil> stencils(run.arity);
     for (std::size_t row = run.begin; row < run.begin + run.arity; ++row)
         for (const RationalEntry& entry : matrix.rows[row])
@@ -102,6 +104,7 @@ InferenceProblem too_small(const RationalMatrix& matrix) {
 }
 
 InferenceProblem irregularity(std::vector<IrregularRow> rows) {
+    assert(!rows.empty());
     const std::string first = std::to_string(rows.front().row + 1);
     return {std::to_string(rows.size()) + (rows.size() == 1 ? " row breaks" : " rows break") +
                 " a pattern that holds before and after, row " + first + (rows.size() == 1 ? "" : " first"),
@@ -117,6 +120,7 @@ struct Block {
 };
 
 Block block_of(const OpenPattern& pattern, std::size_t point, std::ptrdiff_t shift) {
+    assert(point < pattern.pattern.columns);
     const auto arity = static_cast<std::ptrdiff_t>(pattern.pattern.arity());
     const auto rows = static_cast<std::ptrdiff_t>(pattern.pattern.rows);
     const std::ptrdiff_t begin = arity * static_cast<std::ptrdiff_t>(point) + shift;
@@ -131,6 +135,7 @@ Block block_of(const OpenPattern& pattern, std::size_t point, std::ptrdiff_t shi
 
 /// The production of an old point near an end; its contexts reach as far as the end and as its stencils need.
 PointProduction end_production(const OpenPattern& pattern, std::size_t point, const Block& block, bool at_begin) {
+    assert(block.begin <= block.end && block.end <= pattern.matrix.rows.size());
     std::vector<PointStencil> successor;
     for (std::size_t row = block.begin; row < block.end; ++row) {
         PointStencil& stencil = successor.emplace_back();

@@ -135,6 +135,7 @@ std::optional<std::uint64_t> points_per_coarse_point(std::size_t arity, std::uin
 }
 
 std::uint64_t RingSizes::nearest() const {
+    assert(below <= measured && (above == 0 || measured <= above));
     return below != 0 && (above == 0 || measured - below <= above - measured) ? below : above;
 }
 

@@ -36,6 +36,7 @@ struct Conditions {
 
 /// Row t for every coarse point t that a fine point of the window depends on.
 Conditions conditions(const UniformMask& mask, const Window& window) {
+    assert(mask.arity > 0 && window.first <= window.last);
     const auto arity = static_cast<std::ptrdiff_t>(mask.arity);
     const std::ptrdiff_t mask_last = mask.first + static_cast<std::ptrdiff_t>(mask.coefficients.size()) - 1;
     const std::ptrdiff_t from = -floor_division(mask_last - window.first, arity).quotient;

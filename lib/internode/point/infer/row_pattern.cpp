@@ -3,6 +3,7 @@
 #include "internode/point/infer/row_pattern.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace internode {
 
@@ -17,6 +18,7 @@ std::vector<std::size_t> rows_not_affine(const RationalMatrix& matrix) {
 }
 
 std::optional<InferenceProblem> size_problem(const RowPattern& pattern) {
+    assert(pattern.arity() > 0);
     std::ptrdiff_t first = 0;
     std::ptrdiff_t last = 0;
     for (const PointStencil& stencil : pattern.stencils) {
