@@ -50,6 +50,7 @@ std::optional<Word> cut(const Morphism& rules, WordView fine) {
 
 /// `count` letters w whose σ(w) begins with `fine`, as refinement leaves them right of a domain.
 std::optional<Word> cut_prefix(const Morphism& rules, WordView fine, std::size_t count) {
+    assert(!fine.empty() && count > 0);
     const Word symbols = candidates(rules);
     Word word;
     for (std::size_t place = 0; place < fine.size();) {

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -77,6 +78,7 @@ std::string too_many_coefficients(const IntervalSystem& system, const std::strin
 
 /// A knot, counted from 0, in the field.
 Number knot_of(const IntervalSystem& system, const InputPolygon& polygon, std::size_t place) {
+    assert(polygon.knots && place < polygon.knots->size());
     const InputNumber& knot = (*polygon.knots)[place];
     if (knot.size() > system.field().degree())
         refuse(fmt::format("{}: {}", polygon.source,

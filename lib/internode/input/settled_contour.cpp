@@ -18,6 +18,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 namespace internode {
 
@@ -42,6 +43,7 @@ FineKnots fine_knots(const IntervalSystem& system, const InputPolygon& polygon, 
 /// The fine word, so many levels back.
 Axiom coarse_word_of_knots(const KnotWord& fine, const InputPolygon& polygon, const ContourOptions& options,
                            int degree) {
+    assert(!polygon.word_text && !polygon.word_letters);
     if (!options.levels) ask(fmt::format("the knots of {} leave the number of levels open", polygon.source), "give -n");
     const Ends ends = is_closed(options, polygon) ? Ends::Circular : Ends::Open;
     std::optional<Word> word = fine.word;
@@ -120,6 +122,7 @@ PossibleSize chosen_size(const PossibleSizes& sizes, const ContourOptions& optio
                "--resample to the nearest, --cut to the one below, another --word or -n");
     if (!sizes.above) return *sizes.below;
     if (!sizes.below) return *sizes.above;
+    assert(sizes.below->points < points && points < sizes.above->points);
     return cut || points - sizes.below->points <= sizes.above->points - points ? *sizes.below : *sizes.above;
 }
 

@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
+
 namespace internode {
 
 namespace {
@@ -88,6 +90,7 @@ Labels labels_of_knots(const IntervalSystem& system, const CurveOptions& options
 
 /// Points, homogeneous where they have weights, over the settled word.
 Curve checked_curve(const Labels& labels, InputPolygon& polygon, int degree) {
+    assert(polygon.weights.empty() || polygon.weights.size() == polygon.size());
     const bool rational = !polygon.weights.empty();
     const std::size_t points = polygon.size();
     CurveData data;
