@@ -26,6 +26,7 @@ std::vector<double> side_by_side(std::size_t count, const std::vector<Columns>& 
     std::vector<double> table;
     for (std::size_t i = 0; i < count; ++i) {
         for (const Columns& part : parts) {
+            assert(part.rows.size() == count * part.width);
             const auto row = part.rows.subspan(i * part.width, part.width);
             table.insert(table.end(), row.begin(), row.end());
         }
@@ -86,6 +87,7 @@ std::size_t write_limit_obj(Sink& sink, const Refinement& refinement, Coordinate
 
 void write_limit_frames(Sink& sink, const std::string& format, const Curve& given, const Refinement& refinement,
                         const std::vector<std::string>& names) {
+    assert(format == "csv" || format == "npy");
     const LimitFrames frames = limit_frames(given, refinement);
     refuse_what_doubles_cannot_hold(frames);
     const std::size_t dimension = refinement.curve().dimension();

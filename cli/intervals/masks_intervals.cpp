@@ -17,12 +17,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 namespace internode::cli {
 namespace {
 
 /// Refuses a word that no curve of this degree can have, with the numbers.
 void check_fits(const IntervalSystem& system, int degree, const Axiom& axiom, const std::string& origin) {
+    assert(degree >= 1);
     const auto d = static_cast<std::size_t>(degree);
     const bool open = axiom.ends == Ends::Open;
     if (open && axiom.word.size() < 2 * d + 1)

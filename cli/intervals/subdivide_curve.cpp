@@ -21,6 +21,8 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
+
 namespace internode::cli {
 namespace {
 
@@ -81,7 +83,10 @@ struct WrittenPoints {
     std::vector<double> divided; ///< the rows divided by their weights; empty when points have none
     const std::vector<double>* given = nullptr;
 
-    [[nodiscard]] PointsView view() const { return {dimension, divided.empty() ? *given : divided}; }
+    [[nodiscard]] PointsView view() const {
+        assert(given != nullptr);
+        return {dimension, divided.empty() ? *given : divided};
+    }
 };
 
 /// A polygon in OBJ knows no weights; elsewhere they are the last column, or the key "weights".

@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
+
 namespace internode::cli {
 
 namespace {
@@ -22,6 +24,7 @@ bool has_weights(const PointStrands& strands, const LoadedPoints& loaded) {
 
 /// Rows divided by their last number, which stays.
 std::vector<double> divided(const std::vector<double>& rows, std::size_t dimension) {
+    assert(dimension > 1);
     for (std::size_t last = dimension - 1; last < rows.size(); last += dimension)
         if (!(rows[last] > 0))
             throw failure(ExitCode::Refused,
@@ -48,6 +51,7 @@ std::vector<std::string> column_names(const LoadedPoints& loaded, std::size_t di
 /// The lines that a word has of its own are drawn instead of its strands.
 void write_point_obj(Sink& sink, PointStrands strands, const LoadedPoints& loaded, const Context& context) {
     project(strands, loaded);
+    assert(strands.dimension > 0);
     if (strands.dimension > max_obj_dimension)
         throw failure(
             ExitCode::Refused,

@@ -21,6 +21,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 namespace internode::cli {
 namespace {
@@ -77,6 +78,7 @@ Fitting fit(InputPolygon& polygon, std::size_t arity, std::uint64_t levels, FitO
                                         sizes.below, sizes.below, sizes.above));
     const bool cuts = option == FitOption::Cut;
     const std::uint64_t points = cuts ? sizes.below : sizes.nearest();
+    assert(points > 0);
     FittedPolygon result = fitted(polygon.points, polygon.dimension, Ends::Circular, cuts ? Fit::Cut : Fit::Resampled,
                                   static_cast<std::size_t>(points));
     polygon.points = std::move(result.points);
@@ -105,6 +107,7 @@ Levels levels_of(const LoadedText& text, const WayBack& way, const InputPolygon&
                  std::uint64_t phase) {
     const ReversalOptions options{polygon.dimension, levels, phase};
     if (!way.rule) return reduced_levels(text, way, polygon, options);
+    assert(way.mask && way.mask->arity == way.rule->arity);
     Levels result{{polygon.points}, reversed(*way.mask, *way.rule, polygon.points, options)};
     for (const ReversedLevel& level : result.errors) result.polygons.push_back(level.points);
     return result;
@@ -118,6 +121,7 @@ std::string picture(const LoadedText& text, const WayBack& way, const InputPolyg
                                report.polygons.size() == 2 ? "level" : "levels");
     result.generator = report.generator;
     result.dimension = report.dimension;
+    assert(!report.polygons.empty());
     result.original = report.polygons.front();
     constexpr std::uint64_t most_phases = 6;
     const std::uint64_t phases = std::min<std::uint64_t>(way.arity, most_phases);

@@ -110,7 +110,10 @@ std::vector<std::string> wishes(const GivenOption& option, Kind kind) {
 
 std::vector<std::string> called_formats(const std::vector<std::string>& names) {
     std::vector<std::string> called;
-    for (const std::string& name : names) called.emplace_back(find_format(name)->called);
+    for (const std::string& name : names) {
+        assert(find_format(name) != nullptr);
+        called.emplace_back(find_format(name)->called);
+    }
     return called;
 }
 

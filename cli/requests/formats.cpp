@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 namespace internode::cli {
 namespace {
@@ -101,7 +102,10 @@ const FormatUse& row_of(const OutputOf& output) {
 /// ".txt, .json": the extensions that a message proposes.
 std::string proposed_extensions(const std::vector<std::string>& names) {
     std::vector<std::string> extensions;
-    for (const std::string& name : names) extensions.push_back(fmt::format(".{}", find_format(name)->extensions[0]));
+    for (const std::string& name : names) {
+        assert(find_format(name) != nullptr);
+        extensions.push_back(fmt::format(".{}", find_format(name)->extensions[0]));
+    }
     return fmt::format("{}", fmt::join(extensions, ", "));
 }
 

@@ -12,10 +12,13 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
+
 namespace internode::cli {
 namespace {
 
 LoadedText bundled_text(const std::string& place) {
+    assert(place.starts_with('@'));
     const std::string name = place.substr(1);
     if (const BundledGrammar* grammar = find_bundled_grammar(name)) return {std::string(grammar->text), place};
     std::vector<std::string> names;
