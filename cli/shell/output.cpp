@@ -44,13 +44,14 @@ void paint(std::string& text, std::string_view word, std::string_view code) {
 } // namespace
 
 Output::Output(const std::string& path)
-    : file_(path) {
+    : file_(path)
+    , temporary_path_(file_.temporary_path()) {
     if (file_.error()) throw file_failure(*file_.error());
-    remove_on_interrupt(file_.temporary_path());
+    remove_on_interrupt(temporary_path_);
 }
 
 Output::~Output() {
-    remove_on_interrupt({});
+    forget(temporary_path_);
 }
 
 void Output::commit() {

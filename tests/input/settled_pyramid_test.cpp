@@ -57,6 +57,10 @@ TEST(SettledPyramid, BeginsWhereItsFileSays) {
 
 TEST(SettledPyramid, RefusesWhatDoesNotFitTogether) {
     EXPECT_EQ(refusal_of(settle(leaf())), "none");
+    for (const char* const name : {"", "0", "a b", "\u00e9"})
+        EXPECT_THAT(refusal_of(settle(changed(leaf(), "\"S\": [\"L\"]", '"' + std::string(name) + "\": [\"L\"]"))),
+                    HasSubstr("is no name of a symbol"))
+            << name;
     EXPECT_THAT(refusal_of(settle(changed(leaf(), "\"S\": [\"L\"]", "\"S\": [\"S\"]"))), HasSubstr("not valid"));
     EXPECT_THAT(refusal_of(settle(changed(leaf(), "\"word\": [\"L\"", "\"word\": [\"Q\""))), HasSubstr("`Q`"));
     EXPECT_THAT(refusal_of(settle(changed(leaf(), "\"word\": [\"L\"", "\"word\": [\"S\""))), HasSubstr("level 1"));

@@ -85,6 +85,16 @@ TEST(IntervalSystem, APowerIsAtLeastOneAndWithinTheLimit) {
     EXPECT_THROW((void)power(system, 2'000'000'000), std::length_error);
 }
 
+TEST(IntervalSystem, LengthsAreGivenBeforeAPowerIsTaken) {
+    // A leads to two final classes: its length follows from theirs, which a power of the ratio would get wrong.
+    const IntervalSystem system = system_of("B->BB, C->CC, A->BC");
+    const std::vector<FixedLength> given{{Symbol{1}, 1}};
+    const IntervalSystem fixed = with_lengths(system, given).system.value();
+    EXPECT_EQ(power(fixed, 2).lengths(), fixed.lengths());
+    EXPECT_THROW((void)with_lengths(power(system, 2), given), std::invalid_argument);
+    EXPECT_TRUE(with_lengths(power(system, 1), given).system);
+}
+
 TEST(IntervalSystem, AGivenLengthScalesTheOthers) {
     const IntervalSystem system = system_of(fibonacci);
     const FixedLengths fixed = with_lengths(system, {{Symbol{1}, Number(Rational(1, 2))}});

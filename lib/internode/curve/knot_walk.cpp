@@ -10,8 +10,8 @@ namespace {
 
 /// The first non-empty letter from `next` on; `next` is then the one after it.
 std::size_t take(const Word& word, std::size_t& next) {
-    while (word[next] == zero_interval) ++next;
     assert(next < word.size());
+    for (; word[next] == zero_interval; ++next) assert(next + 1 < word.size() && "letters are left");
     return next++;
 }
 

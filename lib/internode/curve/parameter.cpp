@@ -2,40 +2,13 @@
 
 #include "internode/curve/parameter.h"
 
+#include "internode/algebra/double_double.h"
+
 #include <algorithm>
 
 namespace internode {
 
 namespace {
-
-/// hi + lo, |lo| at most half a unit in the last place of hi: about 106 bits.
-struct DoubleDouble {
-    double hi = 0;
-    double lo = 0;
-};
-
-/// Knuth's two-sum: hi + lo = a + b exactly.
-DoubleDouble two_sum(double a, double b) {
-    const double sum = a + b;
-    const double part = sum - a;
-    return {sum, (a - (sum - part)) + (b - part)};
-}
-
-DoubleDouble operator+(DoubleDouble a, DoubleDouble b) {
-    const DoubleDouble high = two_sum(a.hi, b.hi);
-    const DoubleDouble low = two_sum(a.lo, b.lo);
-    const DoubleDouble sum = two_sum(high.hi, high.lo + low.hi);
-    return two_sum(sum.hi, sum.lo + low.lo);
-}
-
-DoubleDouble operator-(DoubleDouble a) {
-    return {-a.hi, -a.lo};
-}
-
-DoubleDouble to_double_double(const Number& number) {
-    const double hi = number.to_double();
-    return {hi, (number - Number(to_rational(hi))).to_double()};
-}
 
 /// a_i / ρ^s of every symbol of the word.
 class Lengths {

@@ -31,14 +31,6 @@ bool names_other_symbols(const IntervalSystem& system, const std::vector<InputLe
            });
 }
 
-/// "A1" … as the language has them, so that no name of a file is stranger than a grammar's.
-bool is_symbol_name(const std::string& name) {
-    const auto is_letter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); };
-    const auto follows = [](char c) { return (c >= '0' && c <= '9') || c == '_' || c == '\''; };
-    return !name.empty() && name.size() <= max_name_bytes && is_letter(name.front()) &&
-           std::all_of(name.begin() + 1, name.end(), follows);
-}
-
 IntervalSystem symbol_a_length(const IntervalSystem& system, const InputPolygon& polygon) {
     std::vector<std::string> names;
     std::vector<Rational> lengths;
@@ -108,6 +100,13 @@ bool agrees(const Number& exact, double position, double largest) {
 }
 
 } // namespace
+
+bool is_symbol_name(const std::string& name) {
+    const auto is_letter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); };
+    const auto follows = [](char c) { return (c >= '0' && c <= '9') || c == '_' || c == '\''; };
+    return !name.empty() && name.size() <= max_name_bytes && is_letter(name.front()) &&
+           std::all_of(name.begin() + 1, name.end(), follows);
+}
 
 Diagnostic diagnostic_at(const PlacedText& text, const std::string& source, std::string message) {
     Diagnostic diagnostic;

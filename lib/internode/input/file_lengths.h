@@ -14,6 +14,9 @@ namespace internode {
 /// "`X` is no symbol of the grammar", at its place.
 [[nodiscard]] Diagnostic unknown_symbol(const PlacedText& name, const std::string& source, const Alphabet& alphabet);
 
+/// "A1" … as the language has them, so that no name of a file is stranger than a grammar's.
+[[nodiscard]] bool is_symbol_name(const std::string& name);
+
 /// A diagnostic at a piece of the user's text.
 [[nodiscard]] Diagnostic diagnostic_at(const PlacedText& text, const std::string& source, std::string message);
 

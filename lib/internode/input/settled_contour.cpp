@@ -71,7 +71,8 @@ bool has_clamped_ends(const KnotWord& fine, int degree) {
     const auto d = static_cast<std::size_t>(degree);
     const auto is_zero = [](Symbol symbol) { return symbol == zero_interval; };
     const WordView word(fine.word);
-    return std::ranges::all_of(word.first(d), is_zero) && std::ranges::all_of(word.last(d), is_zero);
+    return word.size() >= d && std::ranges::all_of(word.first(d), is_zero) &&
+           std::ranges::all_of(word.last(d), is_zero);
 }
 
 PolygonEnds contour_ends(const ContourOptions& options, const InputPolygon& polygon, const SaidWord& said) {

@@ -28,12 +28,18 @@ Word word_of(const InputPyramid& input, const std::vector<std::string>& names, c
 IntervalGrammar grammar_of(const InputPyramid& input) {
     IntervalGrammar grammar;
     grammar.name = input.name;
-    for (const InputRule& rule : input.rules) (void)grammar.alphabet.add(rule.symbol);
-    std::vector<Word> images;
     std::vector<std::string> problems;
     for (const InputRule& rule : input.rules) {
+        if (is_symbol_name(rule.symbol))
+            (void)grammar.alphabet.add(rule.symbol);
+        else
+            problems.push_back(fmt::format("`{}` is no name of a symbol", rule.symbol));
+    }
+    if (!problems.empty()) refuse_all(input.source, {}, problems);
+    std::vector<Word> images;
+    for (const InputRule& rule : input.rules) {
         images.push_back(word_of(input, rule.word, grammar.alphabet));
-        if (rule.symbol == "0" || images.back().empty() || std::ranges::count(images.back(), zero_interval) > 0)
+        if (images.back().empty() || std::ranges::count(images.back(), zero_interval) > 0)
             problems.push_back("`" + rule.symbol + "` has no rule that a grammar may have");
     }
     if (input.rules.empty()) problems.emplace_back("a grammar without rules");

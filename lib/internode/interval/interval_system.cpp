@@ -98,6 +98,8 @@ IntervalSystem one_symbol_a_length(const IntervalSystem& system, const std::vect
 }
 
 FixedLengths with_lengths(const IntervalSystem& system, const std::vector<FixedLength>& lengths) {
+    if (system.ratio() != system.field().generator())
+        throw std::invalid_argument("lengths are given before a power is taken");
     const ClassGraph graph = class_graph(system.grammar());
     ScaledLengths scaled =
         scale_lengths({graph, system.field()}, system.lengths(), lengths, system.alphabet(), system.ratio_name());

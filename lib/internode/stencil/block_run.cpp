@@ -168,6 +168,7 @@ private:
 template<typename Scalar>
 void run_block(const FusedStencils& stencils, const CellArray& cells, ParentRows<Scalar> parents, Scalar* out,
                const ApplyOptions& options) {
+    if (cells.size() == 0) return; // all cells have died
     cells.visit([&](const auto* states) {
         using State = std::remove_const_t<std::remove_pointer_t<decltype(states)>>;
         BlockRun<Scalar, State>(stencils, states, cells.size(), parents).run(out, options);

@@ -38,7 +38,7 @@ inline constexpr std::size_t padding_bytes = 32;
 /// The widest rows that a kernel takes: degree 12.
 inline constexpr std::size_t max_row_width = 13;
 
-/// The kernel of rows of `width` weights, 2 … max_row_width; null for others.
+/// The kernel of rows of `width` weights, 2 … max_row_width. \throw std::invalid_argument for others
 template<typename Scalar>
 [[nodiscard]] Kernel<Scalar> kernel(Isa isa, std::size_t width, std::size_t dimension);
 

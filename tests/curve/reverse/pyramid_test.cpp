@@ -245,6 +245,7 @@ TEST(Pyramid, RefusesLevelsThatDoNotFitTheWord) {
     EXPECT_EQ(problem({3, 1, {{2}, {0.5}}}), "none");
     EXPECT_EQ(problem({3, 1, {}}), "none");
     EXPECT_THAT(problem({4, 1, {}}), HasSubstr("4 points where the word gives 3"));
+    EXPECT_THAT(problem({2, 1, {}}), HasSubstr("2 points where the word gives more"));
     EXPECT_THAT(problem({3, 2, {}}), HasSubstr("2 inserted"));
     EXPECT_THAT(problem({3, 1, {{1, 2}, {1, 2}}}), HasSubstr("2 details for 1"));
     EXPECT_THAT(problem({3, 1, {{1}, {1, 2}}}), HasSubstr("2 coordinates"));

@@ -230,7 +230,9 @@ CheckedPyramid make_pyramid(Curve coarse, const ReverseOptions& options, std::ve
     for (std::size_t level = 0; level < levels.size() && checked.problems.empty(); ++level) {
         const RefinementSize size = refined_size(coarse.knots(), coarse.dimension(), level + 1, levels[level].points);
         const auto points = static_cast<std::size_t>(size.points);
-        const std::string problem = level_problem(levels[level], points, before, coarse.dimension());
+        const std::string problem = size.exceeded
+                                        ? fmt::format("has {} points where the word gives more", levels[level].points)
+                                        : level_problem(levels[level], points, before, coarse.dimension());
         if (!problem.empty()) checked.problems.push_back(fmt::format("level {} {}", level + 1, problem));
         before = points;
     }

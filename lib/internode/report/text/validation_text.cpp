@@ -75,7 +75,8 @@ std::string class_ratio_text(const Quantity& quantity) {
     return "≈ " + rounded(quantity.value);
 }
 
-std::string symbols_table(const Verdict& verdict, const Alphabet& alphabet) {
+std::string symbols_table(const Verdict& verdict, const IntervalGrammar& grammar) {
+    const Alphabet& alphabet = grammar.alphabet;
     assert(verdict.occurs.size() == alphabet.size() && verdict.lengths.size() == alphabet.size());
     TextTable table({Align::Left, Align::Left, Align::Left}, 2, 4);
     const bool has_frequencies = !verdict.frequencies.empty();
@@ -89,7 +90,9 @@ std::string symbols_table(const Verdict& verdict, const Alphabet& alphabet) {
             table.row({name, "the axiom never produces it"});
     }
     std::string text = "\n" + table.text();
-    if (!has_frequencies) text += "  Frequencies depend on the axiom, and the grammar has none.\n";
+    if (!has_frequencies)
+        text += grammar.axiom ? "  The frequencies are not known: their bounds do not come close enough.\n"
+                              : "  Frequencies depend on the axiom, and the grammar has none.\n";
     return text;
 }
 
@@ -137,7 +140,7 @@ std::string validation_text(const Verdict& verdict, const IntervalGrammar& gramm
         text += labelled("period", period_text(verdict.period));
         if (verdict.pisot) text += labelled("Pisot number", *verdict.pisot ? "yes" : "no");
         text += labelled("free lengths", std::to_string(verdict.free_lengths));
-        if (!verdict.lengths.empty()) text += symbols_table(verdict, grammar.alphabet);
+        if (!verdict.lengths.empty()) text += symbols_table(verdict, grammar);
     }
     text += classes_table(verdict, grammar.alphabet);
     return text;
