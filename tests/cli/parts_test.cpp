@@ -128,6 +128,20 @@ TEST_F(Parameters, AreKeptInJsonAndBack) {
     EXPECT_EQ(times(run({"fine.json", "-n", "0", "--limit"}).out), "t 5 5.5 6 6.5 7 ");
 }
 
+TEST_F(Parameters, AreWrittenUpToAQuarterOfAMillion) {
+    std::string rows = "x\n";
+    for (int i = 0; i < 249'997; ++i) rows += "1\n";
+    const auto written = [&](const std::string& points) {
+        here.file("long.csv", points);
+        const Outcome outcome =
+            run({"long.csv", "-d", "2", "--word", "A", "--repeat", "--open", "-n", "0", "--format", "json"});
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return outcome.out.find("\"knots\": [") != std::string::npos;
+    };
+    EXPECT_TRUE(written(rows)) << "250,000 knots";
+    EXPECT_FALSE(written(rows + "1\n"));
+}
+
 TEST_F(Parameters, GoThroughReverseAndCompose) {
     here.file("ramp.json", ramp);
     ASSERT_EQ(run({"ramp.json", "-n", "1", "-o", "fine.json"}).code, 0);

@@ -19,11 +19,6 @@ std::string kind(const JsonValue& value) {
     return std::string(value.kind());
 }
 
-std::string shortened(const std::string& text) {
-    constexpr std::size_t shown = 60;
-    return text.size() <= shown ? text : text.substr(0, shown) + "...";
-}
-
 } // namespace
 
 std::string_view without_byte_order_mark(std::string_view text) {

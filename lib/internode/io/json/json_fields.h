@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The parts of a grid's JSON that a polygon's has too, read with a diagnostic for whatever is wrong in them. A
-// polygon's own are read in polygon_json.cpp.
+// The values that a polygon's and a grid's JSON have, read with a diagnostic for whatever is wrong in them.
 
 #pragma once
 
@@ -30,6 +29,7 @@ public:
     [[nodiscard]] std::vector<Diagnostic> errors() &&;
 
     void refuse(const JsonValue& value, std::string message, std::string hint = {});
+    void refuse(TextPlace place, std::string message, std::string hint = {});
     /// A key that `owner` ("a grid") has not, with the known key that is nearest to it.
     void refuse_key(const JsonMember& member, const std::string& owner, const std::vector<std::string>& known);
 
@@ -49,7 +49,6 @@ private:
     bool length(const JsonValue& value, std::vector<Rational>& coefficients);
     bool rational(const JsonValue& value, std::vector<Rational>& coefficients);
     void coordinate(const JsonValue& value, std::vector<double>& points);
-    void refuse(TextPlace place, std::string message, std::string hint);
 
     std::string_view text_;
     std::string_view source_;

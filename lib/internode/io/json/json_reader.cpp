@@ -114,11 +114,6 @@ public:
     }
 
 private:
-    static std::string shortened(const std::string& text) {
-        constexpr std::size_t shown = 60;
-        return text.size() <= shown ? text : text.substr(0, shown) + "...";
-    }
-
     /// "[json.exception…] parse error at …: syntax error while parsing value - WHAT; last read: '…'; expected THIS"
     /// without what the diagnostic shows itself.
     static std::string explanation(std::string_view what) {
@@ -248,6 +243,11 @@ std::string_view JsonValue::kind() const {
     constexpr std::array<std::string_view, 6> names{"null",     "a boolean", "a number",
                                                     "a string", "an array",  "an object"};
     return names[content_.index()];
+}
+
+std::string shortened(const std::string& text) {
+    constexpr std::size_t shown = 60;
+    return text.size() <= shown ? text : text.substr(0, shown) + "...";
 }
 
 ParsedJson read_json(std::string_view text, std::string_view source, std::uint64_t max_values) {

@@ -70,4 +70,7 @@ struct ParsedJson {
 [[nodiscard]] ParsedJson read_json(std::string_view text, std::string_view source,
                                    std::uint64_t max_values = max_json_values);
 
+/// A key of the user as an error shows it: at most 60 bytes of it.
+[[nodiscard]] std::string shortened(const std::string& text);
+
 } // namespace internode
