@@ -21,8 +21,11 @@ void CommandReader::add_point(CLI::App* subdivide) {
         for_points());
     put(add_number(subdivide, "--phase", point.phase, "The module at which strict predecessors begin to part it"),
         for_points());
-    put(add_number(subdivide, "--seed", point.seed, "Of stochastic rules (default 0)"), for_points());
-    put(add_number(subdivide, "--max-modules", point.max_modules, "Refuse longer words (default 10000000)"),
+    put(add_number(subdivide, "--seed", point.seed,
+                   "Of stochastic rules (default 0); every polygon of a file begins anew"),
+        for_points());
+    put(add_number(subdivide, "--max-modules", point.max_modules,
+                   "Refuse more modules, of all polygons of a file (default 10000000)"),
         for_points());
     put(subdivide->add_flag("--trace", point.trace, "The word after every step, and every interpretation"),
         for_points());

@@ -45,7 +45,7 @@ void CommandReader::add_ends(CLI::App* app, PolygonOptions& polygon, const Belon
 }
 
 void CommandReader::add_polygon(CLI::App* app, PolygonOptions& polygon, const PolygonBelongings& belongings) {
-    app->add_option("POLYGON", polygon.place, "Control polygon: CSV, JSON or free-form OBJ file, or -");
+    app->add_option("POLYGON", polygon.place, "Control polygon: CSV, JSON or OBJ file, or -");
     put(add_word(app, "--word", polygon.word, "The intervals: N letters closed, N+d open ('0^3 (LS)^9 0^3')"),
         belongings.word);
     put(app->add_flag("--repeat", polygon.repeat, "Repeat the word's letters as often as the points need"),
@@ -56,7 +56,7 @@ void CommandReader::add_polygon(CLI::App* app, PolygonOptions& polygon, const Po
         belongings.weights);
     put(app->add_option_function<std::string>(
                "--element", [&polygon](const std::string& text) { polygon.element = whole_number(text); },
-               "Which polygon of a file that has several, from 1")
+               "One polygon alone of a file that has several, from 1")
             ->type_name("K")
             ->check(CLI::Validator(whole_number_problem, "")),
         belongings.element);

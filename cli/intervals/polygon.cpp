@@ -13,7 +13,10 @@ namespace internode::cli {
 namespace {
 
 InputPolygon weighted(InputPolygon polygon, const PolygonOptions& options) {
-    return options.rational ? value_of(with_weights(std::move(polygon))) : polygon;
+    if (!options.rational) return polygon;
+    Settled<InputPolygon> made = with_weights(polygon);
+    if (!made.value) throw failure(placed(std::move(made.refusal), polygon));
+    return *std::move(made.value);
 }
 
 } // namespace
@@ -23,8 +26,16 @@ InputPolygon load_polygon(const PolygonOptions& options) {
     return weighted(value_of(polygon_of_file(input.text, input.source, options.element)), options);
 }
 
+std::vector<InputPolygon> load_polygons(const PolygonOptions& options) {
+    const LoadedText input = load_text(options.place);
+    std::vector<InputPolygon> polygons = value_of(polygons_of_file(input.text, input.source, options.element));
+    for (InputPolygon& polygon : polygons) polygon = weighted(std::move(polygon), options);
+    return polygons;
+}
+
 void refuse_repeated_point(const InputPolygon& polygon) {
-    if (const internode::Refusal refusal = repeated_point(polygon); !refusal.errors.empty()) throw failure(refusal);
+    internode::Refusal refusal = repeated_point(polygon);
+    if (!refusal.errors.empty()) throw failure(placed(std::move(refusal), polygon));
 }
 
 CurveOptions curve_options(const PolygonOptions& options) {

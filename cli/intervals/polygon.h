@@ -16,6 +16,9 @@ namespace internode::cli {
 /// Refused
 [[nodiscard]] InputPolygon load_polygon(const PolygonOptions& options);
 
+/// All polygons of a file, or that of --element, with the weights that --rational finds. \throw Failure: File, Refused
+[[nodiscard]] std::vector<InputPolygon> load_polygons(const PolygonOptions& options);
+
 /// \throw Failure (Refused) for a closed polygon whose last point is the first again
 void refuse_repeated_point(const InputPolygon& polygon);
 

@@ -3,12 +3,12 @@
 #include "cli/intervals/curve_output.h"
 #include "cli/intervals/handlers.h"
 #include "cli/intervals/limit_output.h"
-#include "cli/intervals/part_sink.h"
 #include "cli/intervals/polygon.h"
 #include "cli/requests/formats.h"
 #include "cli/requests/places.h"
 #include "cli/shell/generator.h"
 #include "cli/shell/output.h"
+#include "cli/shell/parts.h"
 #include "cli/shell/picture_axes.h"
 #include "internode/curve/refinement.h"
 #include "internode/io/csv.h"
@@ -21,7 +21,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
+#include <set>
 
 namespace internode::cli {
 namespace {
@@ -45,25 +47,35 @@ bool has_weights(const SettledCurve& loaded) {
     return loaded.coordinates == Coordinates::Homogeneous;
 }
 
-/// The memory that a result in this format takes: a picture, or points and a copy of those divided by their weights.
-std::uint64_t planned_memory(const SettledCurve& loaded, const SubdivideOptions& options, const std::string& format) {
-    if (format == "svg")
-        return curve_picture_bytes(loaded.curve, drawn_steps(loaded.curve, options.steps), loaded.coordinates);
-    const RefinementSize size = refined_size(loaded.curve, options.steps, options.polygon.max_points);
-    return size.bytes + (has_weights(loaded) ? size.points * loaded.curve.dimension() * sizeof(double) : 0);
+/// The steps of a picture of all curves.
+DrawnSteps drawn_steps_of(const std::vector<SettledCurve>& curves, std::uint64_t steps) {
+    std::vector<const Curve*> all;
+    for (const SettledCurve& loaded : curves) all.push_back(&loaded.curve);
+    return drawn_steps(all, steps);
+}
+
+/// The memory that results in this format take: a picture, or points and a copy of those divided by their weights.
+std::uint64_t planned_memory(const std::vector<SettledCurve>& curves, const SubdivideOptions& options,
+                             const std::string& format) {
+    std::uint64_t memory = 0;
+    const std::uint64_t drawn = format == "svg" ? drawn_steps_of(curves, options.steps).steps : 0;
+    for (const SettledCurve& loaded : curves) {
+        const RefinementSize size = refined_size(loaded.curve, options.steps, options.polygon.max_points);
+        const std::uint64_t divided = has_weights(loaded) ? size.points * loaded.curve.dimension() * sizeof(double) : 0;
+        memory += format == "svg" ? curve_picture_bytes(loaded.curve, drawn, loaded.coordinates) : size.bytes + divided;
+    }
+    return memory;
 }
 
 void print_plan(const std::vector<SettledCurve>& curves, const SubdivideOptions& options, const std::string& format) {
     const RefinementSize size = planned(curves, options);
+    const std::uint64_t memory = planned_memory(curves, options, format);
     std::uint64_t bytes = 0;
-    std::uint64_t memory = 0;
     std::size_t states = 0;
     std::size_t rows = 0;
     for (const SettledCurve& loaded : curves) {
         const RefinementSize one = refined_size(loaded.curve, options.steps, options.polygon.max_points);
-        const std::uint64_t points = one.points * loaded.curve.dimension() * sizeof(double);
-        bytes += points;
-        memory += planned_memory(loaded, options, format);
+        bytes += one.points * loaded.curve.dimension() * sizeof(double);
         const Refinement refinement(loaded.curve);
         states += refinement.automaton().state_count();
         rows += refinement.automaton().row_count();
@@ -153,7 +165,7 @@ public:
 private:
     PartSink begin(const SettledCurve& loaded) {
         const bool is_first = parts_++ == 0;
-        return {sink_, is_first, loaded.break_text.empty() && !is_first ? std::string("\n") : loaded.break_text};
+        return {sink_, is_first, written_break(loaded.break_text, is_first)};
     }
 
     [[nodiscard]] std::vector<std::string> comments() const {
@@ -179,28 +191,54 @@ void check_format(const SubdivideOptions& options, const std::string& format, co
         throw failure(ExitCode::Refused, "a curve of one coordinate and a weight has no picture", "use CSV or JSON");
 }
 
-std::string picture_title(const SubdivideOptions& options, const SettledCurve& loaded) {
-    return fmt::format("{} under {}, degree {}, {} {}", loaded.source,
-                       display_name(loaded.curve.system().grammar(), options.grammar), loaded.curve.degree(),
-                       options.steps, options.steps == 1 ? "step" : "steps");
+/// Formats that hold one curve, or curves that are alike.
+void check_together(const std::vector<SettledCurve>& curves, const std::string& format, bool limit) {
+    if (format == "npy") refuse_several(curves.size(), format);
+    const auto columns = [limit](const SettledCurve& loaded) {
+        return loaded.space_dimension() + (has_weights(loaded) && !limit ? 1 : 0);
+    };
+    const SettledCurve& first = curves.front();
+    for (const SettledCurve& other : curves) {
+        if (format == "csv") require_equal_columns(columns(first), columns(other));
+        if (format == "svg") require_one_plane(first.space_dimension(), other.space_dimension());
+    }
 }
 
-/// The curve after as many of the steps as can be told apart.
-void write_picture(Sink& sink, const SettledCurve& loaded, const SubdivideOptions& options, const PictureAxes& axes,
-                   const Context& context) {
-    const DrawnSteps drawn = drawn_steps(loaded.curve, options.steps);
-    Refinement refinement(loaded.curve);
-    refinement.advance(static_cast<int>(drawn.steps), ApplyOptions{context.threads, context.isa});
+/// The axes that all points have.
+PictureAxes picture_axes(const std::vector<SettledCurve>& curves, const SubdivideOptions& options) {
+    std::size_t least = curves.front().space_dimension();
+    for (const SettledCurve& loaded : curves) least = std::min(least, loaded.space_dimension());
+    return chosen_axes(options.axes, least);
+}
+
+/// "degree 3", or the degrees of several curves: "degrees 2, 3".
+std::string degrees_of(const std::vector<SettledCurve>& curves) {
+    std::set<int> degrees;
+    for (const SettledCurve& loaded : curves) degrees.insert(loaded.curve.degree());
+    return fmt::format("{} {}", degrees.size() == 1 ? "degree" : "degrees", fmt::join(degrees, ", "));
+}
+
+std::string picture_title(const SubdivideOptions& options, const std::vector<SettledCurve>& curves) {
+    const SettledCurve& first = curves.front();
+    const std::string parts = curves.size() > 1 ? fmt::format(" ({} parts)", curves.size()) : "";
+    return fmt::format("{}{} under {}, {}, {} {}", first.source, parts,
+                       display_name(first.curve.system().grammar(), options.grammar), degrees_of(curves), options.steps,
+                       options.steps == 1 ? "step" : "steps");
+}
+
+/// The curves after as many of the steps as can be told apart.
+void write_picture(Sink& sink, const std::vector<SettledCurve>& curves, const SubdivideOptions& options,
+                   const PictureAxes& axes, const Context& context) {
+    const DrawnSteps drawn = drawn_steps_of(curves, options.steps);
+    std::vector<PlanarCurve> planar;
+    for (const SettledCurve& loaded : curves) {
+        Refinement refinement(loaded.curve);
+        refinement.advance(static_cast<int>(drawn.steps), ApplyOptions{context.threads, context.isa});
+        planar.push_back(planar_curve(loaded.curve, refinement, axes, loaded.coordinates));
+    }
     write_curve_picture(
-        sink, planar_curve(loaded.curve, refinement, axes, loaded.coordinates),
-        {.title = picture_title(options, loaded), .generator = generator(context), .remark = drawn_remark(drawn)});
-}
-
-/// Formats that hold one curve.
-void refuse_several(std::size_t count, const std::string& format) {
-    if (count > 1 && (format == "npy" || format == "svg"))
-        throw failure(ExitCode::Refused, fmt::format("{} holds one polygon, the file has {}", format, count),
-                      fmt::format("CSV, JSON and OBJ hold all of them; --element 1 … {} takes one", count));
+        sink, planar,
+        {.title = picture_title(options, curves), .generator = generator(context), .remark = drawn_remark(drawn)});
 }
 
 std::size_t point_count(const std::vector<SettledCurve>& curves) {
@@ -241,15 +279,15 @@ ExitCode run(const IntervalGrammar& grammar, const LoadedText&, const SubdivideO
         return ExitCode::Success;
     }
     for (const SettledCurve& loaded : curves) check_format(options, format, loaded);
-    refuse_several(curves.size(), format);
+    check_together(curves, format, options.limit);
     const RefinementSize size = planned(curves, options);
-    const PictureAxes axes = chosen_axes(options.axes, curves.front().space_dimension());
+    const PictureAxes axes = picture_axes(curves, options);
     Output output(options.output.file);
     if (context.verbose) say(context, fmt::format("{} points from {}\n", size.points, point_count(curves)));
     const int steps = static_cast<int>(options.steps);
     const ApplyOptions apply{context.threads, context.isa};
     if (format == "svg")
-        write_picture(output.sink(), curves.front(), options, axes, context);
+        write_picture(output.sink(), curves, options, axes, context);
     else if (format == "json")
         write_documents(output.sink(), curves, steps, apply, context);
     else

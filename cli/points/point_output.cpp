@@ -3,6 +3,7 @@
 #include "cli/points/point_output.h"
 
 #include "cli/shell/generator.h"
+#include "cli/shell/parts.h"
 #include "internode/io/csv.h"
 #include "internode/io/npy.h"
 #include "internode/io/obj/obj.h"
@@ -18,7 +19,7 @@ namespace internode::cli {
 namespace {
 
 bool has_weights(const PointStrands& strands, const LoadedPoints& loaded) {
-    return loaded.coordinates == Coordinates::Homogeneous && strands.dimension == loaded.system.dimension() &&
+    return loaded.coordinates == Coordinates::Homogeneous && strands.dimension == loaded.system->dimension() &&
            strands.dimension > 1;
 }
 
@@ -49,24 +50,59 @@ std::vector<std::string> column_names(const LoadedPoints& loaded, std::size_t di
 }
 
 /// The lines that a word has of its own are drawn instead of its strands.
-void write_point_obj(Sink& sink, PointStrands strands, const LoadedPoints& loaded, const Context& context) {
-    project(strands, loaded);
+std::vector<ObjPolyline> polylines_of(const PointStrands& strands, std::size_t points) {
+    std::vector<ObjPolyline> polylines;
+    for (std::size_t i = strands.size(); i + 1 < points; i += 2) polylines.push_back({{i, i + 1}, false});
+    if (polylines.empty())
+        for (const PointStrands::Strand& strand : strands.strands)
+            polylines.push_back({strand.points, strand.closed && strand.points.size() > 1});
+    return polylines;
+}
+
+/// The vertices of a part behind `before` of the parts before it; how many it has.
+std::size_t write_point_obj(Sink& sink, const PointStrands& strands, std::size_t before, const Context& context) {
+    std::vector<double> points = strands.points;
+    points.insert(points.end(), strands.lines.begin(), strands.lines.end());
+    const PointsView view{strands.dimension, points};
+    std::vector<std::string> comments;
+    if (before == 0) comments = {"internode " + generator(context).version, context.command_line};
+    write_obj(sink, view, polylines_of(strands, view.size()), comments, before);
+    return view.size();
+}
+
+void check_obj(const PointStrands& strands) {
     assert(strands.dimension > 0);
     if (strands.dimension > max_obj_dimension)
         throw failure(
             ExitCode::Refused,
             fmt::format("OBJ has at most {} coordinates, the points have {}", max_obj_dimension, strands.dimension),
             "use CSV, JSON or NPY");
-    std::vector<double> points = strands.points;
-    points.insert(points.end(), strands.lines.begin(), strands.lines.end());
-    std::vector<ObjPolyline> polylines;
-    for (std::size_t i = strands.size(); i + 1 < points.size() / strands.dimension; i += 2)
-        polylines.push_back({{i, i + 1}, false});
-    if (polylines.empty())
-        for (const PointStrands::Strand& strand : strands.strands)
-            polylines.push_back({strand.points, strand.closed && strand.points.size() > 1});
-    write_obj(sink, {strands.dimension, points}, polylines,
-              std::vector<std::string>{"internode " + generator(context).version, context.command_line});
+}
+
+void refuse_nothing(const PointStrands& strands, const LoadedPoints& loaded, const std::string& format) {
+    const bool is_lost = loaded.part > 0 && format == "csv"; // a table without rows
+    if (strands.size() > 0 || (!strands.lines.empty() && !is_lost)) return;
+    const std::string part = loaded.part > 0 ? fmt::format(" of part {}", loaded.part) : "";
+    throw failure(ExitCode::Refused, fmt::format("no module of the last word{} has exactly one point", part),
+                  "--format text writes the word itself");
+}
+
+void write_csv_parts(Sink& sink, const std::vector<DrawnPart>& parts) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto& [loaded, strands, weighted] = parts[i];
+        PartSink part(sink, i == 0, written_break(loaded->break_text, i == 0));
+        write_csv(part, {strands.dimension, strands.points}, {column_names(*loaded, strands.dimension, weighted), {}});
+    }
+}
+
+void write_json_parts(Sink& sink, const std::vector<DrawnPart>& parts, std::uint64_t cycles, const Context& context) {
+    std::vector<PointsPart> documents;
+    for (const auto& [loaded, strands, weighted] : parts)
+        documents.push_back({strands, *loaded->system, {loaded->name, cycles, weighted, generator(context)}});
+    if (documents.size() == 1)
+        write_points_json(sink, parts.front().strands, *parts.front().loaded->system, documents.front().document);
+    else
+        write_parts_json(sink, documents);
 }
 
 } // namespace
@@ -78,27 +114,37 @@ void project(PointStrands& strands, const LoadedPoints& loaded) {
     --strands.dimension;
 }
 
-void write_points(Sink& sink, const std::string& format, PointStrands strands, const LoadedPoints& loaded,
-                  std::uint64_t cycles, const Context& context) {
-    if (strands.size() == 0 && strands.lines.empty())
-        throw failure(ExitCode::Refused, "no module of the last word has exactly one point",
-                      "--format text writes the word itself");
+DrawnPart drawn_part(PointStrands strands, const LoadedPoints& loaded, const std::string& format) {
+    refuse_nothing(strands, loaded, format);
     if (format == "obj") {
-        write_point_obj(sink, std::move(strands), loaded, context);
-        return;
+        project(strands, loaded);
+        check_obj(strands);
+        return {&loaded, std::move(strands), false};
     }
     const bool weighted = has_weights(strands, loaded);
     if (weighted) {
         strands.points = divided(strands.points, strands.dimension);
         strands.lines = divided(strands.lines, strands.dimension);
     }
-    const PointsView points{strands.dimension, strands.points};
-    if (format == "csv")
-        write_csv(sink, points, {column_names(loaded, strands.dimension, weighted), {}});
-    else if (format == "npy")
-        write_npy(sink, points);
-    else
-        write_points_json(sink, strands, loaded.system, {loaded.name, cycles, weighted, generator(context)});
+    return {&loaded, std::move(strands), weighted};
+}
+
+void write_points(Sink& sink, const std::string& format, const std::vector<DrawnPart>& parts, std::uint64_t cycles,
+                  const Context& context) {
+    assert(!parts.empty());
+    if (format == "csv") {
+        for (const DrawnPart& part : parts)
+            require_equal_columns(parts.front().strands.dimension, part.strands.dimension);
+        write_csv_parts(sink, parts);
+    } else if (format == "npy") {
+        refuse_several(parts.size(), format);
+        write_npy(sink, {parts.front().strands.dimension, parts.front().strands.points});
+    } else if (format == "obj") {
+        std::size_t vertices = 0;
+        for (const DrawnPart& part : parts) vertices += write_point_obj(sink, part.strands, vertices, context);
+    } else {
+        write_json_parts(sink, parts, cycles, context);
+    }
 }
 
 } // namespace internode::cli

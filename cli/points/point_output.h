@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace internode::cli {
 
@@ -17,10 +18,20 @@ namespace internode::cli {
 /// \throw Failure (Refused) for weights that are not positive
 void project(PointStrands& strands, const LoadedPoints& loaded);
 
-/// In CSV, JSON, NPY or OBJ. Homogeneous points that the grammar has not projected itself are divided by their weights,
-/// which follow as a last column, or stand apart; OBJ leaves them out. \throw Failure (Refused) for a word without
-/// points and for weights that are not positive
-void write_points(Sink& sink, const std::string& format, PointStrands strands, const LoadedPoints& loaded,
-                  std::uint64_t cycles, const Context& context);
+/// A part as it is written.
+struct DrawnPart {
+    const LoadedPoints* loaded = nullptr;
+    PointStrands strands;
+    bool weighted = false; ///< the last coordinate of each point is its weight
+};
+
+/// For CSV, JSON, NPY or OBJ. Homogeneous points that the grammar has not projected itself are divided by their
+/// weights, which stay as a last coordinate; OBJ leaves them out. The loaded part must outlive it. \throw Failure
+/// (Refused) for a word without points and for weights that are not positive
+[[nodiscard]] DrawnPart drawn_part(PointStrands strands, const LoadedPoints& loaded, const std::string& format);
+
+/// All parts in CSV, JSON or OBJ, the only one in NPY. \throw Failure (Refused) for parts that the format does not hold
+void write_points(Sink& sink, const std::string& format, const std::vector<DrawnPart>& parts, std::uint64_t cycles,
+                  const Context& context);
 
 } // namespace internode::cli

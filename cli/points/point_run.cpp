@@ -19,11 +19,11 @@ ModuleWord whole(const LoadedPoints& loaded, Derivation derivation) {
 }
 
 ModuleWord interpreted(const LoadedPoints& loaded, const ModuleWord& word) {
-    return whole(loaded, interpret(loaded.system, word, loaded.derive));
+    return whole(loaded, interpret(*loaded.system, word, loaded.derive));
 }
 
 std::string line_of(const LoadedPoints& loaded, const ModuleWord& word, std::size_t passes) {
-    return to_string(word, loaded.system.grammar(), loaded.system.layout(passes)) + '\n';
+    return to_string(word, loaded.system->grammar(), loaded.system->layout(passes)) + '\n';
 }
 
 /// A derivation step by step; the work of all steps together stays within its bound.
@@ -37,11 +37,8 @@ public:
     [[nodiscard]] const ModuleWord& word() const { return word_; }
     [[nodiscard]] std::uint64_t taken() const { return taken_; }
 
-    void step() { take(derive_step(loaded_.system, word_, taken_, left_)); }
-    void step(StepRecord& record) { take(derive_step(loaded_.system, word_, taken_, left_, record)); }
-    void cycle() {
-        for (std::size_t i = 0; i < loaded_.system.cycle().size(); ++i) step();
-    }
+    void step() { take(derive_step(*loaded_.system, word_, taken_, left_)); }
+    void step(StepRecord& record) { take(derive_step(*loaded_.system, word_, taken_, left_, record)); }
 
 private:
     void take(Derivation next) {
@@ -56,57 +53,86 @@ private:
     std::uint64_t taken_ = 0;
 };
 
+/// The start and every cycle; of more than max_level_panels the first and the last ones.
+std::vector<std::uint64_t> shown_cycles(std::uint64_t cycles) {
+    std::vector<std::uint64_t> shown{0};
+    const std::uint64_t first = cycles < max_level_panels ? 1 : cycles - (max_level_panels - 2);
+    for (std::uint64_t cycle = first; cycle <= cycles; ++cycle) shown.push_back(cycle);
+    return shown;
+}
+
 } // namespace
 
-void refuse_growth(const LoadedPoints& loaded, std::uint64_t cycles) {
+void refuse_growth(std::span<const LoadedPoints> parts, std::uint64_t cycles) {
     constexpr std::uint64_t told = 1'000'000'000'000'000'000; // larger numbers are not read any more
-    const std::uint64_t most = loaded.derive.max_modules;
-    const auto length = predicted_length(loaded.system, loaded.word, cycles, std::max(most, told));
+    const std::uint64_t most = parts.front().derive.max_modules;
+    const std::optional<std::uint64_t> length = predicted_modules(parts, cycles, std::max(most, told));
     if (length && *length > most)
         throw failure(ExitCode::Refused,
-                      fmt::format("after {} cycles the word would have {} modules; {} are allowed", cycles,
+                      fmt::format("after {} cycles the {} would have {} modules; {} are allowed", cycles,
+                                  parts.size() > 1 ? fmt::format("words of {} parts", parts.size()) : "word",
                                   *length > told ? fmt::format("more than {}", told) : std::to_string(*length), most),
                       "fewer cycles, or a larger --max-modules");
 }
 
-PointStrands drawn(const LoadedPoints& loaded, const ModuleWord& word) {
-    return strands(interpreted(loaded, word), loaded.system, loaded.system.grammar().interpretations.size());
+std::optional<std::uint64_t> predicted_modules(std::span<const LoadedPoints> parts, std::uint64_t cycles,
+                                               std::uint64_t most) {
+    std::uint64_t sum = 0;
+    for (const LoadedPoints& loaded : parts) {
+        const auto length = predicted_length(*loaded.system, loaded.word, cycles, most);
+        if (!length) return std::nullopt;
+        sum = std::min(sum + std::min(*length, most + 1), most + 1);
+    }
+    return sum;
 }
 
-std::vector<PictureLevel> all_levels(const LoadedPoints& loaded, std::uint64_t cycles) {
-    refuse_growth(loaded, cycles);
-    const std::uint64_t first_shown = cycles < max_level_panels ? 1 : cycles - (max_level_panels - 2);
-    Steps steps(loaded);
-    std::vector<PictureLevel> levels{{0, drawn(loaded, steps.word())}};
-    for (std::uint64_t cycle = 1; cycle <= cycles; ++cycle) {
-        steps.cycle();
-        if (cycle >= first_shown) levels.push_back({cycle, drawn(loaded, steps.word())});
+void take_modules(std::span<LoadedPoints> parts, std::size_t part, std::uint64_t modules) {
+    if (part + 1 == parts.size()) return;
+    const std::uint64_t left = parts[part].derive.max_modules;
+    parts[part + 1].derive.max_modules = left - std::min(left, modules);
+}
+
+PointStrands drawn(const LoadedPoints& loaded, const ModuleWord& word) {
+    return strands(interpreted(loaded, word), *loaded.system, loaded.system->grammar().interpretations.size());
+}
+
+std::vector<PictureLevel> all_levels(std::span<LoadedPoints> parts, std::uint64_t cycles) {
+    refuse_growth(parts, cycles);
+    std::vector<PictureLevel> levels;
+    for (const std::uint64_t cycle : shown_cycles(cycles)) levels.push_back({cycle, {}});
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        Steps steps(parts[i]);
+        for (PictureLevel& level : levels) {
+            while (steps.taken() < level.number * parts[i].system->cycle().size()) steps.step();
+            level.parts.push_back(drawn(parts[i], steps.word()));
+        }
+        take_modules(parts, i, steps.word().size());
     }
     return levels;
 }
 
-void write_word(Sink& sink, const LoadedPoints& loaded, const ModuleWord& word) {
-    sink.write(line_of(loaded, interpreted(loaded, word), loaded.system.grammar().interpretations.size()));
+std::string word_text(const LoadedPoints& loaded, const ModuleWord& word) {
+    return line_of(loaded, interpreted(loaded, word), loaded.system->grammar().interpretations.size());
 }
 
-void write_trace(Sink& sink, const LoadedPoints& loaded, std::uint64_t cycles) {
-    refuse_growth(loaded, cycles);
+std::uint64_t write_trace(Sink& sink, const LoadedPoints& loaded, std::uint64_t cycles) {
     Steps steps(loaded);
     sink.write(line_of(loaded, steps.word(), 0));
-    while (steps.taken() < cycles * loaded.system.cycle().size()) {
+    while (steps.taken() < cycles * loaded.system->cycle().size()) {
         steps.step();
         sink.write(line_of(loaded, steps.word(), 0));
     }
     ModuleWord word = steps.word();
-    for (std::size_t pass = 0; pass < loaded.system.grammar().interpretations.size(); ++pass) {
-        word = whole(loaded, interpret_pass(loaded.system, word, pass, loaded.derive));
+    for (std::size_t pass = 0; pass < loaded.system->grammar().interpretations.size(); ++pass) {
+        word = whole(loaded, interpret_pass(*loaded.system, word, pass, loaded.derive));
         sink.write(line_of(loaded, word, pass + 1));
     }
+    return steps.word().size();
 }
 
 DerivationTree all_steps(const LoadedPoints& loaded, std::uint64_t cycles) {
-    refuse_growth(loaded, cycles);
-    const auto table_of = loaded.system.cycle();
+    refuse_growth({&loaded, 1}, cycles);
+    const auto table_of = loaded.system->cycle();
     DerivationTree tree;
     tree.words.push_back(loaded.word);
     tree.row_names.emplace_back(loaded.start == "the axiom" ? "axiom" : "polygon");
@@ -116,7 +142,7 @@ DerivationTree all_steps(const LoadedPoints& loaded, std::uint64_t cycles) {
         tree.words.push_back(steps.word());
         const auto table = table_of[step % table_of.size()];
         tree.row_names.push_back(fmt::format("step {}", step + 1));
-        if (table) tree.row_names.back() += fmt::format(" ({})", loaded.system.grammar().tables[*table]);
+        if (table) tree.row_names.back() += fmt::format(" ({})", loaded.system->grammar().tables[*table]);
         if (!fits_in_tree(tree.words))
             throw failure(ExitCode::Refused,
                           fmt::format("a tree shows words of at most {} modules, {} in all: step {} has more",

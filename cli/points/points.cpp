@@ -4,6 +4,7 @@
 
 #include "cli/intervals/polygon.h"
 #include "cli/points/point_system.h"
+#include "cli/shell/settled.h"
 #include "internode/algebra/rational.h"
 #include "internode/grammar/points/parse_points.h"
 #include "internode/point/start_word.h"
@@ -115,10 +116,18 @@ DeriveOptions derive_options(const PointSystem& system, const PointOptions& opti
     return derive;
 }
 
+/// What is wrong with a polygon, at its line where it is one of several.
+Failure refused(const InputPolygon& polygon, std::string message, std::string hint = {}) {
+    Diagnostic diagnostic;
+    diagnostic.message = std::move(message);
+    diagnostic.hint = std::move(hint);
+    return failure(placed({{std::move(diagnostic)}, false}, polygon));
+}
+
 void check_ends(const InputPolygon& polygon, bool ring) {
     if (polygon.closed && *polygon.closed != ring)
-        throw failure(ExitCode::Refused, fmt::format("\"closed\": {} of {}, but the grammar's words are {}",
-                                                     *polygon.closed, polygon.source, ring ? "rings" : "open"));
+        throw refused(polygon, fmt::format("\"closed\": {} of {}, but the grammar's words are {}", *polygon.closed,
+                                           polygon.source, ring ? "rings" : "open"));
     if (ring) refuse_repeated_point(polygon);
 }
 
@@ -127,9 +136,68 @@ ModuleWord word_of_polygon(const PointSystem& system, const InputPolygon& polygo
     try {
         return input_word(system, polygon.points);
     } catch (const std::invalid_argument& problem) {
-        throw failure(ExitCode::Refused, fmt::format("{}: {}", polygon.source, problem.what()),
+        throw refused(polygon, fmt::format("{}: {}", polygon.source, problem.what()),
                       "`input` says what each point of a polygon becomes");
     }
+}
+
+/// Makes the systems of a grammar for polygons of any dimension, each once.
+class Systems {
+public:
+    Systems(const PointGrammar& grammar, const LoadedText& text, const SubdivideOptions& options)
+        : grammar_(grammar)
+        , text_(text)
+        , constants_(constant_values(grammar, options.point.settings)) {}
+
+    std::shared_ptr<const PointSystem> of(PointStart start, std::size_t dimension) {
+        std::shared_ptr<const PointSystem>& system = made_[dimension];
+        if (!system)
+            system = std::make_shared<PointSystem>(
+                checked_system(text_, grammar_, {.dimension = dimension, .constants = constants_, .start = start}));
+        return system;
+    }
+
+private:
+    const PointGrammar& grammar_;
+    const LoadedText& text_;
+    std::map<std::string, Rational> constants_;
+    std::map<std::size_t, std::shared_ptr<const PointSystem>> made_;
+};
+
+LoadedPoints from_axiom(Systems& systems, const LoadedText& text, const SubdivideOptions& options) {
+    std::shared_ptr<const PointSystem> system = systems.of(PointStart::Axiom, PointSettings().dimension);
+    ModuleWord word = axiom_word(*system);
+    DeriveOptions derive = derive_options(*system, options.point);
+    return {.text = text,
+            .system = std::move(system),
+            .word = std::move(word),
+            .derive = std::move(derive),
+            .name = {},
+            .start = "the axiom",
+            .columns = {}};
+}
+
+LoadedPoints from_polygon(Systems& systems, InputPolygon polygon, const LoadedText& text,
+                          const SubdivideOptions& options) {
+    const std::size_t size = polygon.size();
+    const bool has_weights = !polygon.weights.empty();
+    if (has_weights) {
+        polygon.points = homogeneous(polygon.points, polygon.dimension, polygon.weights);
+        ++polygon.dimension;
+    }
+    std::shared_ptr<const PointSystem> system = systems.of(PointStart::Input, polygon.dimension);
+    ModuleWord word = word_of_polygon(*system, polygon);
+    DeriveOptions derive = derive_options(*system, options.point);
+    return {.text = text,
+            .system = std::move(system),
+            .word = std::move(word),
+            .derive = std::move(derive),
+            .name = {},
+            .start = base_name(polygon.source),
+            .polygon_size = size,
+            .columns = std::move(polygon.columns),
+            .coordinates = has_weights ? Coordinates::Homogeneous : Coordinates::Cartesian,
+            .break_text = std::move(polygon.break_text)};
 }
 
 } // namespace
@@ -148,48 +216,35 @@ std::map<std::string, Rational> constant_values(const PointGrammar& grammar, con
     return values;
 }
 
-LoadedPoints load_points(PointGrammar grammar, const LoadedText& text, const SubdivideOptions& options) {
-    const bool from_polygon = !options.polygon.place.empty();
-    if (!from_polygon && !grammar.axiom)
+std::vector<LoadedPoints> load_points(const PointGrammar& grammar, const LoadedText& text,
+                                      const SubdivideOptions& options) {
+    const bool from_file = !options.polygon.place.empty();
+    if (!from_file && !grammar.axiom)
         throw failure(ExitCode::Usage, "no control polygon, and the grammar has no axiom",
                       "give a CSV, JSON or OBJ file, or - for stdin");
-    PointSettings settings;
-    settings.constants = constant_values(grammar, options.point.settings);
-    settings.start = from_polygon ? PointStart::Input : PointStart::Axiom;
-    InputPolygon polygon;
-    std::size_t polygon_size = 0;
-    if (from_polygon) {
-        polygon = load_polygon(options.polygon);
-        check_ends(polygon, grammar.ring);
-        polygon_size = polygon.size();
-        if (!polygon.weights.empty()) {
-            polygon.points = homogeneous(polygon.points, polygon.dimension, polygon.weights);
-            ++polygon.dimension;
-        }
-        settings.dimension = polygon.dimension;
+    Systems systems(grammar, text, options);
+    std::vector<LoadedPoints> parts;
+    if (!from_file) parts.push_back(from_axiom(systems, text, options));
+    std::vector<InputPolygon> polygons = from_file ? load_polygons(options.polygon) : std::vector<InputPolygon>();
+    for (const InputPolygon& polygon : polygons) check_ends(polygon, grammar.ring);
+    for (InputPolygon& polygon : polygons) parts.push_back(from_polygon(systems, std::move(polygon), text, options));
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        parts[i].name = display_name(grammar.name, options.grammar);
+        parts[i].part = parts.size() > 1 ? i + 1 : 0;
     }
-    const std::string name = display_name(grammar.name, options.grammar);
-    PointSystem system = checked_system(text, std::move(grammar), settings);
-    ModuleWord word = from_polygon ? word_of_polygon(system, polygon) : axiom_word(system);
-    DeriveOptions derive = derive_options(system, options.point);
-    return {.text = text,
-            .system = std::move(system),
-            .word = std::move(word),
-            .derive = std::move(derive),
-            .name = name,
-            .start = from_polygon ? base_name(polygon.source) : "the axiom",
-            .polygon_size = polygon_size,
-            .columns = std::move(polygon.columns),
-            .coordinates = polygon.weights.empty() ? Coordinates::Cartesian : Coordinates::Homogeneous};
+    return parts;
 }
 
 StartWord start_of(const LoadedPoints& loaded) {
-    if (loaded.system.start() != PointStart::Input) return {};
+    if (loaded.system->start() != PointStart::Input) return {};
     return {loaded.polygon_size};
 }
 
 Failure derivation_failure(const LoadedPoints& loaded, const DerivationProblem& problem) {
-    return {ExitCode::Refused, to_string(diagnostic_of(loaded.text, problem.place, problem.message, problem.hint))};
+    std::string hint = problem.hint;
+    if (loaded.part > 0)
+        hint += fmt::format("{}this is part {} of {}", hint.empty() ? "" : "; ", loaded.part, loaded.start);
+    return {ExitCode::Refused, to_string(diagnostic_of(loaded.text, problem.place, problem.message, hint))};
 }
 
 } // namespace internode::cli

@@ -84,7 +84,7 @@ using EndsOption = EndsChoice;
 
 struct PolygonOptions {
     std::string place;                    ///< CSV, JSON or OBJ file, `-` for stdin
-    std::optional<std::uint64_t> element; ///< --element: which curve or surface of an OBJ file, from 1
+    std::optional<std::uint64_t> element; ///< --element: which polygon or surface of a file that has several, from 1
     std::optional<int> degree;
     std::string word; ///< --word; empty = the JSON's, or the axiom
     bool repeat = false;

@@ -71,13 +71,24 @@ TEST_F(Parts, OfTooFewPointsAreRefusedWithTheirLine) {
 
 TEST_F(Parts, AreRefusedWhereOneCurveIsMeant) {
     refused(lines("two.csv", {"--format", "npy"}), "npy holds one polygon, the file has 2");
-    refused(lines("two.csv", {"--format", "svg"}), "svg holds one polygon");
     refused(lines("two.csv", {"--element", "3"}), "no element 3: two.csv has 2");
     const Outcome converge =
         here.run({"converge", "@bisection", "two.csv", "-d", "1", "--word", "A", "--repeat", "-n", "1"});
     EXPECT_EQ(converge.code, 3);
     EXPECT_THAT(converge.err, AllOf(HasSubstr("two.csv has 2 polygons"), HasSubstr("--element 1 … 2")));
     EXPECT_EQ(here.run({"reverse", "@bisection", "two.csv", "-d", "1", "--word", "A", "--repeat", "-n", "1"}).code, 3);
+}
+
+TEST_F(Parts, OfSeveralDimensionsAreNoTable) {
+    here.file("mixed.json", R"({"format": "internode-curves", "curves": [{"points": [[0], [1]]},)"
+                            R"( {"points": [[0, 0], [1, 2]]}, {"points": [[0], [1]], "weights": [1, 2]}]})");
+    refused(lines("mixed.json"), "one polygon has 1 columns, another 2");
+    refused(lines("mixed.json", {"--limit"}), "one polygon has 1 columns, another 2");
+    EXPECT_EQ(run(lines("mixed.json", {"--json"})).code, 0);
+    here.file("weights.json", R"({"format": "internode-curves", "curves": [{"points": [[0], [1]]},)"
+                              R"( {"points": [[0], [1]], "weights": [1, 2]}]})");
+    refused(lines("weights.json"), "one polygon has 1 columns, another 2");
+    EXPECT_EQ(run(lines("weights.json", {"--limit"})).code, 0) << "points of the curve have no weights";
 }
 
 TEST_F(Parts, CountTogetherForThePlanAndItsLimit) {

@@ -657,6 +657,13 @@ def check_points(document):
         require(exact is None or float(Fraction(exact)) == constant["value"], "a constant is not the nearest double")
 
 
+def check_parts(document):
+    for part in document["parts"]:
+        require(part["format"] == "internode-points", "a part is no internode-points")
+        require(part["grammar"] == document["parts"][0]["grammar"], "the parts have different grammars")
+        check_points(part)
+
+
 def check_grid(document):
     rows = document["points"]
     require(len({len(row) for row in rows}) == 1, "rows of different size")
@@ -930,6 +937,7 @@ CHECKS = {
     "internode-curves": ("curves", check_curves),
     "internode-grid": ("grid", check_grid),
     "internode-points": ("points", check_points),
+    "internode-parts": ("parts", check_parts),
     "internode-pyramid": ("pyramid", check_pyramid),
     "internode-reversal": ("reversal", check_reversal),
     "internode-point-masks": ("point-masks", check_point_masks),

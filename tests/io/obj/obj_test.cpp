@@ -71,5 +71,13 @@ TEST(Obj, WritesSeveralPolylines) {
     EXPECT_THROW(write_obj(sink, {1, points}, std::vector<ObjPolyline>{{{4}, false}}), std::out_of_range);
 }
 
+TEST(Obj, CountsFromTheVerticesThatStandBefore) {
+    const std::vector<double> points{0, 1, 2};
+    StringSink sink;
+    EXPECT_TRUE(write_obj(sink, {1, points}, std::vector<ObjPolyline>{{{0, 2}, false}, {{1, 2, 0}, true}}, {}, 7));
+    EXPECT_EQ(sink.text(), "v 0 0 0\nv 1 0 0\nv 2 0 0\nl 8 10\nl 9 10 8 9\n");
+    EXPECT_THROW(write_obj(sink, {1, points}, std::vector<ObjPolyline>{{{3}, false}}, {}, 7), std::out_of_range);
+}
+
 } // namespace
 } // namespace internode

@@ -64,5 +64,28 @@ TEST(PointsJson, RefusesWhatJsonHasNot) {
     EXPECT_THROW(write_points_json(sink, strands, system, {.name = "g", .generator = {}}), std::invalid_argument);
 }
 
+TEST(PointsJson, HasAWholeDocumentForEachPartOfSeveral) {
+    const PointSystem system = point_system("points g\nring\nP(v) -> P(v)\n");
+    const PointStrands strands = corner();
+    const std::vector<PointsPart> parts{{strands, system, {.name = "g", .cycles = 2, .generator = {"0", "x"}}},
+                                        {strands, system, {.name = "g", .weighted = true, .generator = {"0", "x"}}}};
+    StringSink sink;
+    EXPECT_TRUE(write_parts_json(sink, parts));
+    const std::string text = sink.text();
+    EXPECT_THAT(text, HasSubstr("\"format\": \"internode-parts\",\n  \"version\": 1"));
+    const auto flat = [](std::string all) {
+        std::erase_if(all, [](char c) { return c == ' ' || c == '\n'; });
+        return all;
+    };
+    for (const PointsPart& part : parts)
+        EXPECT_THAT(flat(text), HasSubstr(flat(json(part.strands, part.system, part.document))));
+    PointStrands numbers = corner();
+    numbers.dimension = 1;
+    const std::vector<PointsPart> bad{{numbers, system, {.name = "g", .weighted = true, .generator = {}}}};
+    StringSink none;
+    EXPECT_THROW(write_parts_json(none, bad), std::invalid_argument);
+    EXPECT_EQ(none.text(), "");
+}
+
 } // namespace
 } // namespace internode

@@ -194,5 +194,69 @@ TEST(CurveDrawing, ARemarkIsALineBelowTheLegend) {
     EXPECT_LT(last.at.y, with.number("height"));
 }
 
+/// A copy of the curve elsewhere, its symbols under other names and in another order where asked.
+PlanarCurve moved(PlanarCurve curve, double right, double up, const std::vector<std::string>& names) {
+    for (std::vector<Point2>* points : {&curve.control, &curve.refined, &curve.segments})
+        for (Point2& point : *points) point = {.x = point.x + right, .y = point.y + up};
+    curve.names = names;
+    return curve;
+}
+
+std::vector<Spot> all_spots(const std::vector<DrawnShape>& shapes) {
+    std::vector<Spot> spots;
+    for (const DrawnShape& shape : shapes)
+        for (const tests::Run& run : shape.runs) spots.insert(spots.end(), run.points.begin(), run.points.end());
+    return spots;
+}
+
+TEST(CurveDrawing, SeveralCurvesStandInOneFrameLayerByLayer) {
+    const IntervalSystem system = system_of(testing_report::fibonacci);
+    for (const Ends ends : {Ends::Open, Ends::Circular}) {
+        const PlanarCurve one = planar_of(curve_of(system, 3, ends), 2);
+        const std::vector<PlanarCurve> curves{one, moved(one, 20, -3, one.names), moved(one, 4, 30, {"S", "T"})};
+        StringSink sink;
+        write_curve_picture(sink, curves, {.title = "t", .generator = {"0", "x"}});
+        const std::vector<DrawnShape> shapes = tests::shapes_of(tests::read_markup(sink.text()));
+        std::vector<Point2> control;
+        std::vector<Point2> refined;
+        for (const PlanarCurve& curve : curves) {
+            control.insert(control.end(), curve.control.begin(), curve.control.end());
+            refined.insert(refined.end(), curve.refined.begin(), curve.refined.end());
+        }
+        const WayToScreen way = way_of(control, all_spots({shapes_in(shapes, "control").at(0)}));
+        expect_drawn(control, all_spots({shapes_in(shapes, "control").at(0)}), way);
+        expect_drawn(refined, all_spots({shapes_in(shapes, "refined").at(0)}), way);
+        const std::vector<DrawnShape> limit = shapes_in(shapes, "limit");
+        ASSERT_EQ(limit.size(), 3U) << "L, S and T: a path for each name";
+        const std::vector<std::vector<std::pair<std::size_t, std::size_t>>> owners{
+            {{0, 0}, {1, 0}}, {{0, 1}, {1, 1}, {2, 0}}, {{2, 1}}}; // curve and symbol there
+        for (std::size_t i = 0; i < 3; ++i) {
+            expect_look(limit[i], to_symbol(i));
+            const auto drawn_pieces = pieces_of(limit[i], 3);
+            std::size_t at = 0;
+            for (const auto& [curve, symbol] : owners[i]) {
+                const std::vector<std::size_t> own = pieces_by_symbol(curves[curve])[symbol];
+                for (const std::size_t piece : own) {
+                    ASSERT_LT(at, drawn_pieces.size());
+                    const auto begin = curves[curve].segments.begin() + static_cast<std::ptrdiff_t>(4 * piece);
+                    expect_drawn({begin, begin + 4}, drawn_pieces[at++], way);
+                }
+            }
+            EXPECT_EQ(at, drawn_pieces.size());
+        }
+        EXPECT_EQ(shapes_in(shapes, "legend").size(), 8U);
+    }
+}
+
+TEST(CurveDrawing, RefusesNoCurveAndFunctionsBesideCurvesOfThePlane) {
+    const IntervalSystem system = system_of(testing_report::fibonacci);
+    StringSink sink;
+    EXPECT_THROW(write_curve_picture(sink, {}, {.title = "t", .generator = {}}), std::invalid_argument);
+    const std::vector<PlanarCurve> mixed{planar_of(curve_of(system, 2, Ends::Open, 1), 1),
+                                         planar_of(curve_of(system, 2, Ends::Open), 1)};
+    EXPECT_THROW(write_curve_picture(sink, mixed, {.title = "t", .generator = {}}), std::invalid_argument);
+    EXPECT_EQ(sink.text(), "");
+}
+
 } // namespace
 } // namespace internode

@@ -34,6 +34,26 @@ TEST(DrawnSteps, AreAllThatFitAndNotOneMore) {
         }
 }
 
+TEST(DrawnSteps, CountThePointsOfAllCurvesOfAPicture) {
+    const IntervalSystem system = system_of(testing_report::fibonacci);
+    const Curve first = curve_of(system, 3, Ends::Open);
+    const Curve second = curve_of(system, 2, Ends::Circular);
+    const std::vector<const Curve*> curves{&first, &second, &first};
+    const auto points = [&](std::uint64_t steps) {
+        return 2 * points_after(first, steps) + points_after(second, steps);
+    };
+    for (const std::uint64_t steps : {0U, 1U, 5U, 16U, 17U, 18U, 19U, 20U, 40U}) {
+        const DrawnSteps drawn = drawn_steps(curves, steps);
+        EXPECT_EQ(drawn.points, points(drawn.steps));
+        EXPECT_LE(drawn.points, max_drawn_points);
+        EXPECT_LE(drawn.steps, drawn_steps(first, steps).steps);
+        if (drawn.steps < steps) {
+            EXPECT_GT(points(drawn.steps + 1), max_drawn_points) << steps;
+        }
+    }
+    EXPECT_LT(drawn_steps(curves, 40).steps, drawn_steps(second, 40).steps);
+}
+
 TEST(DrawnSteps, GivenPointsAreDrawnHoweverMany) {
     const IntervalSystem system = system_of("A -> A A");
     CurveData data{
@@ -54,7 +74,7 @@ TEST(DrawnSteps, TheRemarkSaysHowManyOfHowMany) {
 TEST(DrawnSteps, NoMoreStepsTakeNoMoreMemory) {
     const Curve curve = curve_of(system_of(testing_report::fibonacci), 3, Ends::Circular);
     const auto bytes = [&](std::uint64_t steps) {
-        return curve_picture_bytes(curve, drawn_steps(curve, steps), Coordinates::Cartesian);
+        return curve_picture_bytes(curve, drawn_steps(curve, steps).steps, Coordinates::Cartesian);
     };
     EXPECT_LT(bytes(5), bytes(10));
     EXPECT_EQ(bytes(40), bytes(60));

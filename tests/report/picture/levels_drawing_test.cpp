@@ -22,11 +22,12 @@ const std::vector<double> house{0, 0, 4, 0, 4, 3, 2, 5, 0, 3}; // its roof is on
 
 PictureLevel level(std::size_t number, const std::vector<double>& points, bool closed = true) {
     PictureLevel made{.number = number};
-    made.strands.dimension = 2;
-    made.strands.points = points;
+    PointStrands& part = made.parts.emplace_back();
+    part.dimension = 2;
+    part.points = points;
     PointStrands::Strand strand{.points = {}, .closed = closed};
     for (std::size_t i = 0; i < points.size() / 2; ++i) strand.points.push_back(i);
-    made.strands.strands.push_back(strand);
+    part.strands.push_back(strand);
     return made;
 }
 
@@ -65,7 +66,7 @@ TEST(LevelsDrawing, EveryPolygonStandsUprightInOneScaleInItsPanel) {
         const DrawnShape lines = lines_of(panel);
         ASSERT_EQ(lines.runs.size(), 1U);
         EXPECT_EQ(lines.runs[0].closed, k != 1);
-        const std::vector<Point2> points = plane_points(picture.levels[k].strands.points);
+        const std::vector<Point2> points = plane_points(picture.levels[k].parts[0].points);
         const WayToScreen way = way_of(points, lines.runs[0].points);
         EXPECT_NEAR(way.right, way.up, 0.01) << "one unit in both directions";
         expect_drawn(points, lines.runs[0].points, way);
@@ -124,10 +125,10 @@ TEST(LevelsDrawing, TheFirstLevelLiesInGreyUnderTheOthers) {
 TEST(LevelsDrawing, LinesOfAWordAreDrawnOneByOneInsteadOfTheStrands) {
     LevelsPicture picture;
     picture.levels = {level(3, house)};
-    picture.levels[0].strands.lines = {0, 0, 4, 3, 2, 5, 0, 1};
+    picture.levels[0].parts[0].lines = {0, 0, 4, 3, 2, 5, 0, 1};
     const std::vector<DrawnShape> panel = shapes_in(drawn(picture), id_of(3));
     const WayToScreen way = way_of(plane_points(house), dots_of(panel[1]));
-    const std::vector<Point2> ends = plane_points(picture.levels[0].strands.lines);
+    const std::vector<Point2> ends = plane_points(picture.levels[0].parts[0].lines);
     const DrawnShape lines = lines_of(panel);
     ASSERT_EQ(lines.runs.size(), 2U);
     for (std::size_t line = 0; line < 2; ++line) {
@@ -140,10 +141,10 @@ TEST(LevelsDrawing, EveryStrandIsAPolygonOfItsOwnAndAxesAreChosen) {
     LevelsPicture picture;
     picture.axes = {.right = 2, .up = 0};
     PictureLevel strands{.number = 0};
-    strands.strands = {.dimension = 3,
-                       .points = {0, 9, 1, 2, 9, 5, 7, 9, 3, 4, 9, 4, 1, 9, 2},
-                       .strands = {{.points = {0, 1, 2}, .closed = true}, {.points = {4, 3}, .closed = false}},
-                       .lines = {}};
+    strands.parts = {{.dimension = 3,
+                      .points = {0, 9, 1, 2, 9, 5, 7, 9, 3, 4, 9, 4, 1, 9, 2},
+                      .strands = {{.points = {0, 1, 2}, .closed = true}, {.points = {4, 3}, .closed = false}},
+                      .lines = {}}};
     picture.levels = {strands};
     const std::vector<DrawnShape> panel = shapes_in(drawn(picture), id_of(0));
     const std::vector<Point2> points{{1, 0}, {5, 2}, {3, 7}, {4, 4}, {2, 1}};
@@ -159,12 +160,45 @@ TEST(LevelsDrawing, EveryStrandIsAPolygonOfItsOwnAndAxesAreChosen) {
 TEST(LevelsDrawing, NumbersStandOverTheirPlacesAtEqualSteps) {
     LevelsPicture picture;
     PictureLevel numbers{.number = 0};
-    numbers.strands = {
-        .dimension = 1, .points = {0, 3, 1, 8}, .strands = {{.points = {0, 1, 2, 3}, .closed = false}}, .lines = {}};
+    numbers.parts = {
+        {.dimension = 1, .points = {0, 3, 1, 8}, .strands = {{.points = {0, 1, 2, 3}, .closed = false}}, .lines = {}}};
     picture.levels = {numbers};
     const DrawnShape lines = lines_of(shapes_in(drawn(picture), id_of(0)));
     const std::vector<Point2> points{{0, 0}, {1, 3}, {2, 1}, {3, 8}};
     expect_drawn(points, lines.runs[0].points, way_of(points, lines.runs[0].points));
+}
+
+TEST(LevelsDrawing, SeveralPolygonsStandTogetherEachWithItsStrandsOrItsLines) {
+    LevelsPicture picture;
+    PictureLevel several = level(0, house);
+    several.parts.push_back(level(0, moved(house, 7, -2), false).parts[0]);
+    several.parts.push_back(level(0, moved(house, 3, 9)).parts[0]);
+    several.parts[2].lines = {0, 12, 4, 12};
+    several.parts.emplace_back(); // a word without points
+    picture.levels = {several};
+    const std::vector<DrawnShape> panel = shapes_in(drawn(picture), id_of(0));
+    std::vector<Point2> points = plane_points(house);
+    for (const auto& more : {moved(house, 7, -2), moved(house, 3, 9)}) {
+        const std::vector<Point2> next = plane_points(more);
+        points.insert(points.end(), next.begin(), next.end());
+    }
+    const WayToScreen way = way_of(points, dots_of(panel[1]));
+    expect_drawn(points, dots_of(panel[1]), way);
+    const DrawnShape lines = lines_of(panel);
+    ASSERT_EQ(lines.runs.size(), 3U);
+    EXPECT_TRUE(lines.runs[0].closed);
+    EXPECT_FALSE(lines.runs[1].closed);
+    expect_drawn(plane_points(house), lines.runs[0].points, way);
+    expect_drawn(plane_points(moved(house, 7, -2)), lines.runs[1].points, way);
+    expect_drawn({{0, 12}, {4, 12}}, lines.runs[2].points, way);
+    EXPECT_EQ(panel.back().text, "level 0: 15 points, 1 edge in 4 parts");
+}
+
+TEST(LevelsDrawing, RefusesNumbersBesidePoints) {
+    LevelsPicture picture;
+    picture.levels = {level(0, house)};
+    picture.levels[0].parts.push_back({.dimension = 1, .points = {1, 2}, .strands = {}, .lines = {}});
+    EXPECT_THROW((void)levels_picture(picture), std::invalid_argument);
 }
 
 } // namespace

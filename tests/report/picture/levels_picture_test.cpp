@@ -21,12 +21,13 @@ const Generator generator{"0.1.0", "internode subdivide"};
 
 PictureLevel level(std::size_t number, const std::vector<double>& points, bool closed) {
     PictureLevel made{.number = number};
-    made.strands.dimension = 2;
-    made.strands.points = points;
+    PointStrands& part = made.parts.emplace_back();
+    part.dimension = 2;
+    part.points = points;
     PointStrands::Strand strand;
     strand.closed = closed;
     for (std::size_t i = 0; i < points.size() / 2; ++i) strand.points.push_back(i);
-    if (!points.empty()) made.strands.strands.push_back(strand);
+    if (!points.empty()) part.strands.push_back(strand);
     return made;
 }
 
@@ -51,7 +52,7 @@ TEST(LevelsPicture, ClosesRingsAndNothingElse) {
 
 TEST(LevelsPicture, DrawsTheLinesOfAWordInsteadOfItsStrands) {
     PictureLevel lines = level(0, triangle, true);
-    lines.strands.lines = {0, 0, 4, 0};
+    lines.parts[0].lines = {0, 0, 4, 0};
     const std::string svg = levels_picture(picture({lines}));
     EXPECT_THAT(svg, Not(HasSubstr("Z\"")));
     EXPECT_THAT(svg, HasSubstr("3 points, 1 edge<"));
@@ -84,8 +85,8 @@ TEST(LevelsPicture, NothingIsClipped) {
 
 TEST(LevelsPicture, DrawsNumbersOverTheirPlace) {
     PictureLevel numbers{.number = 0};
-    numbers.strands = {
-        .dimension = 1, .points = {0, 3, 1}, .strands = {{.points = {0, 1, 2}, .closed = true}}, .lines = {}};
+    numbers.parts = {
+        {.dimension = 1, .points = {0, 3, 1}, .strands = {{.points = {0, 1, 2}, .closed = true}}, .lines = {}}};
     EXPECT_THAT(levels_picture(picture({numbers})), HasSubstr("level 0: 3 points"));
 }
 

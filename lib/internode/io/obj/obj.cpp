@@ -63,14 +63,14 @@ bool write_obj(Sink& sink, const PointsView& points, Ends ends, std::span<const 
 }
 
 bool write_obj(Sink& sink, const PointsView& points, std::span<const ObjPolyline> polylines,
-               std::span<const std::string> comments) {
+               std::span<const std::string> comments, std::size_t before) {
     for (const ObjPolyline& polyline : polylines)
         for (const std::size_t index : polyline.points)
             if (index >= points.size()) throw std::out_of_range("OBJ: no such point");
     TextBuffer text(sink);
     if (!write_points(text, points, comments)) return false;
     for (const ObjPolyline& polyline : polylines) {
-        const auto row = [&polyline](std::size_t i) { return polyline.points[i]; };
+        const auto row = [&](std::size_t i) { return before + polyline.points[i]; };
         if (!write_polyline(text, polyline.points.size(), polyline.closed, row)) return false;
     }
     return text.flush();

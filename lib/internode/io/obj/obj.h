@@ -33,6 +33,6 @@ struct ObjPolyline {
 /// The same for several polylines over the points; one of a single point is a `p`. \throw std::out_of_range for an
 /// index without a row, else as above
 bool write_obj(Sink& sink, const PointsView& points, std::span<const ObjPolyline> polylines,
-               std::span<const std::string> comments = {});
+               std::span<const std::string> comments = {}, std::size_t before = 0);
 
 } // namespace internode

@@ -72,19 +72,40 @@ void write_strands(JsonWriter& json, const PointStrands& strands) {
     json.end_array();
 }
 
+void require_writable(const PointsPart& part) {
+    if (part.document.weighted && part.strands.dimension < 2)
+        throw std::invalid_argument("points: a weight without a point");
+}
+
+void write_one(JsonWriter& json, const PointsPart& part) {
+    json.begin_object();
+    write_heading(json, "internode-points", part.document.generator);
+    write_system(json, part.system, part.document.name);
+    json.key("cycles").integer(part.document.cycles).key("closed").boolean(part.system.grammar().ring);
+    write_points(json, part.strands, part.document.weighted);
+    write_strands(json, part.strands);
+    json.end_object();
+}
+
 } // namespace
 
 bool write_points_json(Sink& sink, const PointStrands& strands, const PointSystem& system,
                        const PointsDocument& document) {
-    if (document.weighted && strands.dimension < 2) throw std::invalid_argument("points: a weight without a point");
+    const PointsPart part{strands, system, document};
+    require_writable(part);
     JsonWriter json(sink);
-    json.begin_object();
-    write_heading(json, "internode-points", document.generator);
-    write_system(json, system, document.name);
-    json.key("cycles").integer(document.cycles).key("closed").boolean(system.grammar().ring);
-    write_points(json, strands, document.weighted);
-    write_strands(json, strands);
-    return json.end_object().finish();
+    write_one(json, part);
+    return json.finish();
+}
+
+bool write_parts_json(Sink& sink, std::span<const PointsPart> parts) {
+    for (const PointsPart& part : parts) require_writable(part);
+    JsonWriter json(sink);
+    json.begin_object().key("format").string("internode-parts").key("version").integer(1);
+    json.key("parts").begin_array();
+    for (const PointsPart& part : parts) write_one(json, part);
+    json.end_array().end_object();
+    return json.finish();
 }
 
 } // namespace internode

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What a point grammar made of a polygon, as JSON of format "internode-points" (docs/json.md): the points of the last
-// word, how they are joined, and the lines that the word has of its own.
+// word, how they are joined, and the lines that the word has of its own. Of several polygons, "internode-parts".
 
 #pragma once
 
@@ -10,6 +10,7 @@
 #include "internode/report/generator.h"
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 namespace internode {
@@ -25,5 +26,16 @@ struct PointsDocument {
 /// weights without another coordinate
 bool write_points_json(Sink& sink, const PointStrands& strands, const PointSystem& system,
                        const PointsDocument& document);
+
+/// What became of one polygon of several.
+struct PointsPart {
+    const PointStrands& strands;
+    const PointSystem& system;
+    PointsDocument document;
+};
+
+/// Several as one document of format "internode-parts", in which each is a whole "internode-points". Return and
+/// exceptions as of the other.
+bool write_parts_json(Sink& sink, std::span<const PointsPart> parts);
 
 } // namespace internode

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Pieces are sorted by symbol without moving their order, so that each symbol is one path whose runs join where its
-// pieces do. Everything is written as it is drawn: what is kept is the curve itself and 64 KiB of text.
+// pieces do. Everything is written as it is drawn: what is kept is the curves themselves and 64 KiB of text. Every
+// layer is one path, or one a symbol, with a run for each curve.
 
 #include "internode/report/picture/curve_picture.h"
 
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <map>
 #include <numeric>
 #include <stdexcept>
 
@@ -32,23 +34,45 @@ constexpr std::size_t many_points = 3000;   // beyond, a refined polygon and its
 constexpr std::size_t many_segments = 1000; // beyond, marks at the knots would hide the curve
 constexpr std::size_t smooth_points = 4000; // points of a polyline that stands for a curve
 
-/// The frame of a curve and where its content ends.
+using Curves = std::span<const PlanarCurve>;
+
+/// Knot intervals of all curves.
+std::size_t interval_count(Curves curves) {
+    std::size_t count = 0;
+    for (const PlanarCurve& curve : curves) count += curve.symbols.size();
+    return count;
+}
+
+/// The polygon of each curve that a layer shows.
+using Polygon = std::vector<Point2> PlanarCurve::*;
+
+std::size_t point_count(Curves curves, Polygon polygon) {
+    std::size_t count = 0;
+    for (const PlanarCurve& curve : curves) count += (curve.*polygon).size();
+    return count;
+}
+
+/// The frame of the curves and where their content ends.
 struct Canvas {
     Frame frame;
-    double top = 0;    ///< the pixel row where the curve may begin
-    double height = 0; ///< down to the margin below the curve
-    int decimals = 2;  ///< decimals of the curve's pixels
+    double top = 0;         ///< the pixel row where the curves may begin
+    double height = 0;      ///< down to the margin below the curves
+    int decimals = 2;       ///< decimals of the curves' pixels
+    std::size_t pieces = 0; ///< knot intervals of all curves
 };
 
-Canvas make_canvas(const PlanarCurve& curve, SvgPlace place) {
+Canvas make_canvas(Curves curves, SvgPlace place) {
     PlaneBox box;
-    box.include(curve.control);
-    box.include(curve.refined);
-    box.include(curve.segments);
+    for (const PlanarCurve& curve : curves) {
+        box.include(curve.control);
+        box.include(curve.refined);
+        box.include(curve.segments);
+    }
+    const bool is_graph = curves.front().is_graph;
     const Point2 size = box.size();
-    const Point2 room{.x = picture_width - 2 * margin, .y = curve.is_graph ? graph_height : largest_height};
-    const Point2 scale = filling_scale(size, room, curve.is_graph ? Units::Apart : Units::Equal);
-    const double content_height = curve.is_graph ? graph_height : std::max(size.y * scale.y, least_height);
+    const Point2 room{.x = picture_width - 2 * margin, .y = is_graph ? graph_height : largest_height};
+    const Point2 scale = filling_scale(size, room, is_graph ? Units::Apart : Units::Equal);
+    const double content_height = is_graph ? graph_height : std::max(size.y * scale.y, least_height);
     Canvas canvas;
     canvas.top = place == SvgPlace::File ? margin + title_height : margin;
     canvas.height = canvas.top + content_height + margin;
@@ -56,7 +80,8 @@ Canvas make_canvas(const PlanarCurve& curve, SvgPlace place) {
         .anchor = box.least,
         .at = {.x = (picture_width - size.x * scale.x) / 2, .y = canvas.top + (content_height + size.y * scale.y) / 2},
         .scale = scale};
-    canvas.decimals = curve.symbols.size() > many_points ? 2 : 3;
+    canvas.pieces = interval_count(curves);
+    canvas.decimals = canvas.pieces > many_points ? 2 : 3;
     return canvas;
 }
 
@@ -72,17 +97,20 @@ void write_polygon(TextBuffer& out, const std::vector<Point2>& points, bool clos
     if (closed) out << 'Z';
 }
 
-void draw_polygon(TextBuffer& out, std::string_view name, const std::vector<Point2>& points, const PlanarCurve& curve,
-                  const Frame& frame) {
+/// A layer: the polygon of each curve a run of one path, their vertices marked where they are few.
+void draw_polygons(TextBuffer& out, std::string_view name, Curves curves, Polygon polygon, const Frame& frame) {
     const bool is_control = name == "control";
     const std::string_view colour = is_control ? "#8c8c8c" : "#b9b9b9";
+    const std::size_t count = point_count(curves, polygon);
     out << "<g id=\"" << name << "\">\n<path fill=\"none\" stroke=\"" << colour
-        << "\" stroke-linejoin=\"round\" stroke-width=\"" << (points.size() > few_points ? "0.7" : "1") << "\" d=\"";
-    write_polygon(out, points, curve.closed, frame);
+        << "\" stroke-linejoin=\"round\" stroke-width=\"" << (count > few_points ? "0.7" : "1") << "\" d=\"";
+    for (const PlanarCurve& curve : curves)
+        if (!(curve.*polygon).empty()) write_polygon(out, curve.*polygon, curve.closed, frame);
     out << "\"/>\n";
-    if (points.size() <= few_points) {
+    if (count <= few_points) {
         std::vector<Point2> pixels;
-        for (const Point2& point : points) pixels.push_back(frame.pixel(point));
+        for (const PlanarCurve& curve : curves)
+            for (const Point2& point : curve.*polygon) pixels.push_back(frame.pixel(point));
         out << dots(pixels, colour, is_control ? 5 : 3);
     }
     out << "</g>\n";
@@ -151,17 +179,25 @@ PiecesBySymbol pieces_by_symbol(const PlanarCurve& curve) {
     return sorted;
 }
 
-/// The pieces of the limit curve in pixels, one after the other in any order.
+/// The pieces of a limit curve in pixels, one after the other in any order.
 class Pieces {
 public:
     Pieces(const PlanarCurve& curve, const Canvas& canvas)
         : curve_(curve)
         , canvas_(canvas)
+        , sorted_(pieces_by_symbol(curve))
         , size_(static_cast<std::size_t>(curve.degree) + 1) {
         assert(!curve.symbols.empty());
         const std::size_t most = curve.weights.empty() ? 16 : 64; // chords: a rational piece may turn by half a circle
-        chords_ = std::clamp<std::size_t>(smooth_points / curve.symbols.size(), 2, most);
+        chords_ = std::clamp<std::size_t>(smooth_points / canvas.pieces, 2, most);
         assert(curve.segments.size() == size_ * curve.symbols.size());
+    }
+
+    [[nodiscard]] const PlanarCurve& curve() const { return curve_; }
+    /// Those of a symbol, in their order.
+    [[nodiscard]] std::span<const std::size_t> of(Symbol symbol) const {
+        const std::size_t first = sorted_.first[to_index(symbol)];
+        return std::span(sorted_.pieces).subspan(first, sorted_.first[to_index(symbol) + 1] - first);
     }
 
     /// The first point of piece k, and the last one of the curve for k = their number.
@@ -189,33 +225,61 @@ public:
 private:
     const PlanarCurve& curve_;
     const Canvas& canvas_;
+    PiecesBySymbol sorted_;
     std::size_t size_;   ///< Bézier points of a piece
     std::size_t chords_; ///< chords of a piece that has no command in SVG
     std::vector<Point2> pixels_;
 };
 
-/// One path per symbol.
-void draw_limit(TextBuffer& out, const PlanarCurve& curve, Pieces& pieces) {
-    const PiecesBySymbol sorted = pieces_by_symbol(curve);
-    out << "<g id=\"limit\" fill=\"none\" stroke-linejoin=\"round\" stroke-width=\""
-        << (curve.symbols.size() > many_points ? "1.3" : "2.4") << "\">\n";
-    for (std::size_t i = 0; i < curve.names.size(); ++i) {
-        if (sorted.first[i] == sorted.first[i + 1]) continue;
-        out << "<path" << symbol_stroke(to_symbol(i)) << " d=\"";
-        for (std::size_t at = sorted.first[i]; at < sorted.first[i + 1]; ++at) {
-            out << pieces.commands(sorted.pieces[at]);
-            out.pass_on();
+/// A symbol of the picture, which stands for those of its name in each curve.
+struct SharedSymbol {
+    std::string name;
+    std::size_t intervals = 0;
+    std::vector<std::pair<std::size_t, Symbol>> places; ///< curves that have it, and what it is there
+};
+
+/// The symbols of all curves by their names, in the order in which they come.
+std::vector<SharedSymbol> shared_symbols(std::span<const Pieces> curves) {
+    std::vector<SharedSymbol> symbols;
+    std::map<std::string_view, std::size_t> known;
+    for (std::size_t at = 0; at < curves.size(); ++at) {
+        const std::vector<std::string>& names = curves[at].curve().names;
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const auto [place, is_new] = known.emplace(names[i], symbols.size());
+            if (is_new) symbols.push_back({.name = names[i], .intervals = 0, .places = {}});
+            const std::size_t count = curves[at].of(to_symbol(i)).size();
+            symbols[place->second].intervals += count;
+            if (count > 0) symbols[place->second].places.emplace_back(at, to_symbol(i));
         }
+    }
+    return symbols;
+}
+
+/// One path per symbol.
+void draw_limit(TextBuffer& out, std::span<Pieces> curves, const std::vector<SharedSymbol>& symbols,
+                std::size_t count) {
+    out << "<g id=\"limit\" fill=\"none\" stroke-linejoin=\"round\" stroke-width=\""
+        << (count > many_points ? "1.3" : "2.4") << "\">\n";
+    for (std::size_t i = 0; i < symbols.size(); ++i) {
+        if (symbols[i].places.empty()) continue;
+        out << "<path" << symbol_stroke(to_symbol(i)) << " d=\"";
+        for (const auto& [at, symbol] : symbols[i].places)
+            for (const std::size_t piece : curves[at].of(symbol)) {
+                out << curves[at].commands(piece);
+                out.pass_on();
+            }
         out << "\"/>\n";
     }
     out << "</g>\n";
 }
 
-void draw_knots(TextBuffer& out, const PlanarCurve& curve, const Pieces& pieces) {
+void draw_knots(TextBuffer& out, std::span<const Pieces> curves, std::size_t count) {
     std::vector<Point2> marks;
-    const std::size_t knots = curve.symbols.size() + (curve.closed ? 0 : 1);
-    for (std::size_t k = 0; k < knots; ++k) marks.push_back(pieces.start(k));
-    const double diameter = curve.symbols.size() > 200 ? 3 : 5;
+    for (const Pieces& pieces : curves) {
+        const std::size_t knots = pieces.curve().symbols.size() + (pieces.curve().closed ? 0 : 1);
+        for (std::size_t k = 0; k < knots; ++k) marks.push_back(pieces.start(k));
+    }
+    const double diameter = count > 200 ? 3 : 5;
     out << "<g id=\"knots\">\n"
         << dots(marks, "#222222", diameter) << dots(marks, "#ffffff", diameter - 1.8) << "</g>\n";
 }
@@ -231,44 +295,64 @@ std::string draw_ranges(const Canvas& canvas) {
            " font-size=\"12\" text-anchor=\"end\" fill=\"currentColor\">parameter</text>\n";
 }
 
-std::string description(const PlanarCurve& curve) {
-    return "A curve of degree " + std::to_string(curve.degree) + " with " + std::to_string(curve.symbols.size()) +
-           " knot intervals, each drawn in the colour and dashes of its symbol, and the control polygon of " +
-           std::to_string(curve.control.size()) + " points.";
+std::string description(Curves curves, std::size_t intervals) {
+    const std::string rest =
+        std::to_string(intervals) + " knot intervals, each drawn in the colour and dashes of its symbol, and ";
+    const std::string points = std::to_string(point_count(curves, &PlanarCurve::control)) + " points.";
+    if (curves.size() == 1)
+        return "A curve of degree " + std::to_string(curves.front().degree) + " with " + rest +
+               "the control polygon of " + points;
+    return std::to_string(curves.size()) + " curves with " + rest + "their control polygons of " + points;
 }
 
-std::vector<LegendEntry> legend_entries(const PlanarCurve& curve) {
-    std::vector<std::size_t> counts(curve.names.size(), 0);
-    for (const Symbol symbol : curve.symbols) ++counts[to_index(symbol)];
+std::vector<LegendEntry> legend_entries(const std::vector<SharedSymbol>& symbols) {
     std::vector<LegendEntry> entries;
-    for (std::size_t i = 0; i < counts.size(); ++i)
-        if (counts[i] > 0) entries.push_back({to_symbol(i), curve.names[i], counts[i]});
+    for (std::size_t i = 0; i < symbols.size(); ++i)
+        if (symbols[i].intervals > 0) entries.push_back({to_symbol(i), symbols[i].name, symbols[i].intervals});
     return entries;
+}
+
+void require_drawable(Curves curves) {
+    if (curves.empty()) throw std::invalid_argument("no curve, no picture");
+    for (const PlanarCurve& curve : curves) {
+        if (curve.symbols.empty()) throw std::invalid_argument("a curve without intervals has no picture");
+        if (curve.is_graph != curves.front().is_graph)
+            throw std::invalid_argument("functions and curves of the plane have no picture together");
+    }
+}
+
+void draw_curves(TextBuffer& out, Curves curves, std::span<Pieces> pieces, const std::vector<SharedSymbol>& symbols,
+                 const Canvas& canvas) {
+    if (curves.front().is_graph) out << draw_ranges(canvas);
+    draw_polygons(out, "control", curves, &PlanarCurve::control, canvas.frame);
+    const std::size_t refined = point_count(curves, &PlanarCurve::refined);
+    if (refined > 0 && refined <= many_points)
+        draw_polygons(out, "refined", curves, &PlanarCurve::refined, canvas.frame);
+    draw_limit(out, pieces, symbols, canvas.pieces);
+    if (canvas.pieces <= many_segments) draw_knots(out, pieces, canvas.pieces);
 }
 
 } // namespace
 
-void write_curve_picture(Sink& sink, const PlanarCurve& curve, const CurvePictureOptions& options) {
-    if (curve.symbols.empty()) throw std::invalid_argument("a curve without intervals has no picture");
-    const Canvas canvas = make_canvas(curve, options.place);
-    const double legend_top = canvas.height + (curve.is_graph ? 10 : 0);
-    const Legend legend = picture_legend(legend_entries(curve), picture_width, legend_top);
+void write_curve_picture(Sink& sink, std::span<const PlanarCurve> curves, const CurvePictureOptions& options) {
+    require_drawable(curves);
+    const Canvas canvas = make_canvas(curves, options.place);
+    std::vector<Pieces> pieces;
+    pieces.reserve(curves.size());
+    for (const PlanarCurve& curve : curves) pieces.emplace_back(curve, canvas);
+    const std::vector<SharedSymbol> symbols = shared_symbols(pieces);
+    const double legend_top = canvas.height + (curves.front().is_graph ? 10 : 0);
+    const Legend legend = picture_legend(legend_entries(symbols), picture_width, legend_top);
     const double remark_top = legend_top + legend.height;
     TextBuffer out(sink);
     out << svg_open({.width = picture_width,
                      .height = remark_top + (options.remark.empty() ? 0 : remark_height),
                      .title = options.title,
-                     .description = description(curve),
+                     .description = description(curves, canvas.pieces),
                      .generator = options.generator},
                     options.place);
     if (options.place == SvgPlace::File) out << title_text(options.title, {.x = picture_width / 2, .y = margin + 8});
-    if (curve.is_graph) out << draw_ranges(canvas);
-    draw_polygon(out, "control", curve.control, curve, canvas.frame);
-    if (!curve.refined.empty() && curve.refined.size() <= many_points)
-        draw_polygon(out, "refined", curve.refined, curve, canvas.frame);
-    Pieces pieces(curve, canvas);
-    draw_limit(out, curve, pieces);
-    if (curve.symbols.size() <= many_segments) draw_knots(out, curve, pieces);
+    draw_curves(out, curves, pieces, symbols, canvas);
     out << legend.svg;
     if (!options.remark.empty()) out << caption(options.remark, {.x = picture_width / 2, .y = remark_top + 4});
     out << "</svg>\n";
@@ -277,7 +361,7 @@ void write_curve_picture(Sink& sink, const PlanarCurve& curve, const CurvePictur
 
 std::string curve_picture(const PlanarCurve& curve, const CurvePictureOptions& options) {
     StringSink sink;
-    write_curve_picture(sink, curve, options);
+    write_curve_picture(sink, std::span(&curve, 1), options);
     return sink.text();
 }
 

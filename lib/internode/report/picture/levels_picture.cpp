@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <span>
 #include <stdexcept>
 
 namespace internode {
@@ -25,12 +26,28 @@ constexpr double lowest_panel = 30;   // pixels within the inset
 constexpr std::size_t few_points = 120;
 constexpr std::size_t many_points = 600; // beyond, dots would hide the lines
 
+/// A part of a level in the plane.
+struct PlanePart {
+    std::vector<Point2> points;
+    std::span<const PointStrands::Strand> strands;
+    std::vector<Point2> lines; ///< pairs
+};
+
 /// A level in the plane.
 struct PlaneLevel {
     std::size_t number = 0;
-    std::vector<Point2> points;
-    std::vector<PointStrands::Strand> strands;
-    std::vector<Point2> lines; ///< pairs
+    std::vector<PlanePart> parts;
+
+    [[nodiscard]] std::size_t point_count() const {
+        std::size_t count = 0;
+        for (const PlanePart& part : parts) count += part.points.size();
+        return count;
+    }
+    [[nodiscard]] std::size_t line_count() const {
+        std::size_t count = 0;
+        for (const PlanePart& part : parts) count += part.lines.size() / 2;
+        return count;
+    }
 };
 
 std::vector<Point2> plane_points(const std::vector<double>& rows, std::size_t dimension, PictureAxes axes) {
@@ -52,19 +69,23 @@ std::vector<Point2> plane_points(const std::vector<double>& rows, std::size_t di
 
 std::vector<PlaneLevel> plane_levels(const LevelsPicture& picture) {
     std::vector<PlaneLevel> levels;
-    for (const PictureLevel& level : picture.levels)
-        levels.push_back({level.number, plane_points(level.strands.points, level.strands.dimension, picture.axes),
-                          level.strands.strands,
-                          plane_points(level.strands.lines, level.strands.dimension, picture.axes)});
+    for (const PictureLevel& level : picture.levels) {
+        PlaneLevel& plane = levels.emplace_back();
+        plane.number = level.number;
+        for (const PointStrands& part : level.parts)
+            plane.parts.push_back({plane_points(part.points, part.dimension, picture.axes), part.strands,
+                                   plane_points(part.lines, part.dimension, picture.axes)});
+    }
     return levels;
 }
 
 PlaneBox box_of(const std::vector<PlaneLevel>& levels) {
     PlaneBox box;
-    for (const PlaneLevel& level : levels) {
-        box.include(level.points);
-        box.include(level.lines);
-    }
+    for (const PlaneLevel& level : levels)
+        for (const PlanePart& part : level.parts) {
+            box.include(part.points);
+            box.include(part.lines);
+        }
     if (box.is_empty()) throw std::invalid_argument("levels_picture: no points");
     return box;
 }
@@ -85,28 +106,33 @@ PanelGrid grid_for(std::size_t panels, const PlaneBox& box, bool is_graph) {
     return panel_grid(columns, height, box, scale);
 }
 
-void append_strand(std::string& path, const PlaneLevel& level, const PointStrands::Strand& strand,
+void append_strand(std::string& path, const PlanePart& part, const PointStrands::Strand& strand,
                    const PanelGrid& grid) {
     std::vector<Point2> pixels;
     pixels.reserve(strand.points.size());
     for (const std::size_t point : strand.points) {
-        assert(point < level.points.size());
-        pixels.push_back(grid.pixel(level.points[point]));
+        assert(point < part.points.size());
+        pixels.push_back(grid.pixel(part.points[point]));
     }
     append_polygon(path, pixels, strand.closed);
+}
+
+/// The lines that a part has of its own, or else its strands.
+void append_part(std::string& path, const PlanePart& part, const PanelGrid& grid) {
+    for (std::size_t i = 0; i + 1 < part.lines.size(); i += 2) {
+        path += 'M';
+        append_point(path, grid.pixel(part.lines[i]));
+        path += 'L';
+        append_point(path, grid.pixel(part.lines[i + 1]));
+    }
+    if (part.lines.empty())
+        for (const PointStrands::Strand& strand : part.strands) append_strand(path, part, strand, grid);
 }
 
 std::string lines_of(const PlaneLevel& level, const PanelGrid& grid) {
     assert(level.lines.size() % 2 == 0);
     std::string path;
-    for (std::size_t i = 0; i + 1 < level.lines.size(); i += 2) {
-        path += 'M';
-        append_point(path, grid.pixel(level.lines[i]));
-        path += 'L';
-        append_point(path, grid.pixel(level.lines[i + 1]));
-    }
-    if (level.lines.empty())
-        for (const PointStrands::Strand& strand : level.strands) append_strand(path, level, strand, grid);
+    for (const PlanePart& part : level.parts) append_part(path, part, grid);
     return path;
 }
 
@@ -114,8 +140,12 @@ constexpr std::string_view line_style = "fill=\"none\" stroke=\"#222222\" stroke
 constexpr std::string_view control_style = "fill=\"none\" stroke=\"#a8a8a8\" stroke-width=\"0.9\"";
 
 std::string level_dots(const PlaneLevel& level, const PanelGrid& grid) {
-    if (level.points.size() > many_points) return {};
-    return dots(grid.pixels(level.points), panel_colour, level.points.size() > few_points ? 2.2 : 3.6);
+    const std::size_t count = level.point_count();
+    if (count > many_points) return {};
+    std::vector<Point2> pixels;
+    for (const PlanePart& part : level.parts)
+        for (const Point2& point : part.points) pixels.push_back(grid.pixel(point));
+    return dots(pixels, panel_colour, count > few_points ? 2.2 : 3.6);
 }
 
 std::string counted(std::size_t count, std::string_view thing) {
@@ -123,8 +153,9 @@ std::string counted(std::size_t count, std::string_view thing) {
 }
 
 std::string panel_label(const PlaneLevel& level) {
-    const std::string text = fmt::format("level {}: {}", level.number, counted(level.points.size(), "point"));
-    return level.lines.empty() ? text : text + ", " + counted(level.lines.size() / 2, "edge");
+    std::string text = fmt::format("level {}: {}", level.number, counted(level.point_count(), "point"));
+    if (level.line_count() > 0) text += ", " + counted(level.line_count(), "edge");
+    return level.parts.size() > 1 ? text + " in " + counted(level.parts.size(), "part") : text;
 }
 
 std::string panel(const PlaneLevel& level, const PanelGrid& grid, std::size_t place, bool over_control) {
@@ -133,7 +164,7 @@ std::string panel(const PlaneLevel& level, const PanelGrid& grid, std::size_t pl
                        " " + fixed(corner.y) + ")\">\n";
     if (over_control) text += "<use href=\"#control\"/>\n";
     text += "<path " + std::string(line_style) +
-            attribute("stroke-width", level.points.size() > many_points ? 0.7 : 1) + " d=\"" + lines_of(level, grid) +
+            attribute("stroke-width", level.point_count() > many_points ? 0.7 : 1) + " d=\"" + lines_of(level, grid) +
             "\"/>\n" + level_dots(level, grid);
     return text + caption(panel_label(level), {.x = grid.size.x / 2, .y = grid.size.y + panel_label_height - 6}) +
            "</g>\n";
@@ -164,13 +195,25 @@ std::string legend(double top, bool has_control, bool has_dots) {
     return text + "</g>\n";
 }
 
+bool is_graph(const LevelsPicture& picture) {
+    const std::vector<PointStrands>& parts = picture.levels.front().parts;
+    const auto drawn = [](const PointStrands& part) { return part.dimension > 0; };
+    const auto first = std::ranges::find_if(parts, drawn);
+    if (first == parts.end()) return false;
+    const bool graph = first->dimension == 1;
+    for (const PointStrands& part : parts)
+        if (drawn(part) && (part.dimension == 1) != graph)
+            throw std::invalid_argument("levels_picture: numbers beside points");
+    return graph;
+}
+
 } // namespace
 
 std::string levels_picture(const LevelsPicture& picture) {
     if (picture.levels.empty() || picture.levels.size() > max_level_panels)
         throw std::invalid_argument("levels_picture: from 1 to 12 levels");
     const std::vector<PlaneLevel> levels = plane_levels(picture);
-    const PanelGrid grid = grid_for(levels.size(), box_of(levels), picture.levels.front().strands.dimension == 1);
+    const PanelGrid grid = grid_for(levels.size(), box_of(levels), is_graph(picture));
     const double bottom = grid.bottom(levels.size());
     std::string text = svg_open({.width = picture_width,
                                  .height = bottom + legend_height - panel_margin,
@@ -185,7 +228,7 @@ std::string levels_picture(const LevelsPicture& picture) {
     for (std::size_t place = 0; place < levels.size(); ++place)
         text += panel(levels[place], grid, place, picture.has_control && place > 0);
     const bool has_dots = std::ranges::any_of(
-        levels, [](const PlaneLevel& level) { return !level.points.empty() && level.points.size() <= many_points; });
+        levels, [](const PlaneLevel& level) { return level.point_count() > 0 && level.point_count() <= many_points; });
     return text + legend(bottom + 10, picture.has_control, has_dots) + "</svg>\n";
 }
 

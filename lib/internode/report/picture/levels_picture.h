@@ -4,7 +4,8 @@
 // 2). Each has a panel: its polygon in a thin line with its points as dots, over the control polygon in grey.
 //
 // Where a word has lines of its own (S1, equation 9), they are drawn instead of the polygon. All panels have one scale;
-// points of one coordinate are drawn over their numbers, at equal steps.
+// points of one coordinate are drawn over their numbers, at equal steps. The words of several polygons stand together
+// in the panel of their level.
 
 #pragma once
 
@@ -22,8 +23,8 @@ namespace internode {
 inline constexpr std::size_t max_level_panels = 12;
 
 struct PictureLevel {
-    std::size_t number = 0; ///< cycles
-    PointStrands strands{}; ///< the drawing, after the interpretation
+    std::size_t number = 0;            ///< cycles
+    std::vector<PointStrands> parts{}; ///< the drawing of each word, after the interpretation
 };
 
 struct LevelsPicture {
@@ -35,7 +36,8 @@ struct LevelsPicture {
 };
 
 /// An SVG text, 960 pixels wide. \throw std::invalid_argument for no level, more than max_level_panels, an axis that
-/// some points do not have, and levels without any point
+/// some points do not have, levels without any point, and numbers beside points
+/// of more coordinates
 [[nodiscard]] std::string levels_picture(const LevelsPicture& picture);
 
 } // namespace internode
