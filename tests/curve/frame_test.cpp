@@ -33,6 +33,24 @@ TEST(Tangent, IsNoneWhereTheCurveStops) {
     EXPECT_TRUE(std::isnan(curvature(Vector{0}, Vector{0})));
 }
 
+TEST(Curvature, OfALineIsZeroWithoutASign) {
+    for (const double x : {-2.0, -0.0, 0.0, 3.0})
+        for (const double y : {-1.0, -0.0, 0.0, 5.0})
+            for (const double bend : {-4.0, -0.5, -0.0, 0.0, 1.0, 4.0}) {
+                if (x == 0 && y == 0) continue;
+                for (const double zero : {-0.0, 0.0}) {
+                    const double plane = curvature(Vector{x, y}, Vector{bend * x, bend * y});
+                    const double along = curvature(Vector{x + y, zero}, Vector{bend, -zero});
+                    const double space = curvature(Vector{x, y, zero}, Vector{bend * x, bend * y, zero});
+                    for (const double found : {plane, along, space}) {
+                        EXPECT_EQ(found, 0);
+                        EXPECT_FALSE(std::signbit(found)) << x << ' ' << y << ' ' << bend;
+                    }
+                }
+            }
+    EXPECT_FALSE(std::signbit(curvature(Vector{-1e300, 0}, Vector{0, 1e-300}))) << "less than every double";
+}
+
 TEST(Curvature, OfACircleIsOneOverItsRadiusToTheLeft) {
     for (const double radius : {0.5, 1.0, 8.0}) {
         for (int i = 0; i < 16; ++i) {

@@ -55,7 +55,9 @@ double curvature(std::span<const double> first, std::span<const double> second) 
         area = std::sqrt(area);
     }
     const double length = relative_length(first, speed);
-    return area / (length * length * length) * (bend / speed) / speed;
+    // On a line `area` is a difference of zeros, -0 for some signs of theirs: + 0 makes that 0 and changes nothing
+    // else.
+    return area / (length * length * length) * (bend / speed) / speed + 0.0;
 }
 
 } // namespace internode

@@ -17,8 +17,8 @@ namespace internode {
 /// derivative. Sizes equal: assert.
 void unit_tangent(std::span<const double> first, std::span<double> unit);
 
-/// κ, signed in two dimensions, >= 0 beyond, 0 in one; NaN where `first` is 0, ±infinity where it exceeds every double.
-/// No intermediate overflows. O(n²) in the dimension. Sizes equal: assert.
+/// κ, signed in two dimensions, >= 0 beyond, 0 in one, never −0; NaN where `first` is 0, ±infinity where it exceeds
+/// every double. No intermediate overflows. O(n²) in the dimension. Sizes equal: assert.
 [[nodiscard]] double curvature(std::span<const double> first, std::span<const double> second);
 
 } // namespace internode
