@@ -31,13 +31,17 @@ const std::vector<std::string>& formals() {
 }
 
 std::optional<Expression> read_value(const std::string& text) {
-    const auto parsed = parse_point_grammar(std::string(definitions) + "A(u, v) -> A(u, " + text + ")", "t");
+    std::string grammar = definitions;
+    grammar += "A(u, v) -> A(u, " + text + ")";
+    const auto parsed = parse_point_grammar(grammar, "t");
     if (!parsed.grammar) return std::nullopt;
     return parsed.grammar->rules.front().successor.front().arguments[1];
 }
 
 std::optional<Expression> read_condition(const std::string& text) {
-    const auto parsed = parse_point_grammar(std::string(definitions) + "A(u, v) : " + text + " -> A(u, v)", "t");
+    std::string grammar = definitions;
+    grammar += "A(u, v) : " + text + " -> A(u, v)";
+    const auto parsed = parse_point_grammar(grammar, "t");
     if (!parsed.grammar) return std::nullopt;
     return parsed.grammar->rules.front().condition;
 }
