@@ -31,16 +31,16 @@ const std::vector<std::string>& formals() {
 }
 
 std::optional<Expression> read_value(const std::string& text) {
-    std::string grammar = definitions;
-    grammar += "A(u, v) -> A(u, " + text + ")";
+    std::string grammar(definitions);
+    grammar.append("A(u, v) -> A(u, ").append(text).append(")");
     const auto parsed = parse_point_grammar(grammar, "t");
     if (!parsed.grammar) return std::nullopt;
     return parsed.grammar->rules.front().successor.front().arguments[1];
 }
 
 std::optional<Expression> read_condition(const std::string& text) {
-    std::string grammar = definitions;
-    grammar += "A(u, v) : " + text + " -> A(u, v)";
+    std::string grammar(definitions);
+    grammar.append("A(u, v) : ").append(text).append(" -> A(u, v)");
     const auto parsed = parse_point_grammar(grammar, "t");
     if (!parsed.grammar) return std::nullopt;
     return parsed.grammar->rules.front().condition;

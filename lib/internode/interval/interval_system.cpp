@@ -98,9 +98,10 @@ IntervalSystem one_symbol_a_length(const IntervalSystem& system, const std::vect
 }
 
 FixedLengths with_lengths(const IntervalSystem& system, const std::vector<FixedLength>& lengths) {
-    if (system.ratio() != system.field().generator())
-        throw std::invalid_argument("lengths are given before a power is taken");
     const ClassGraph graph = class_graph(system.grammar());
+    const auto is_shared = [](const IntervalClass& one) { return one.home == no_class; };
+    if (system.ratio() != system.field().generator() && std::ranges::any_of(graph.classes, is_shared))
+        throw std::invalid_argument("lengths are given before a power is taken");
     ScaledLengths scaled =
         scale_lengths({graph, system.field()}, system.lengths(), lengths, system.alphabet(), system.ratio_name());
     if (!scaled.conflicts.empty()) return {std::nullopt, std::move(scaled.conflicts)};

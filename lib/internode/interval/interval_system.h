@@ -93,8 +93,8 @@ struct FixedLengths {
 };
 
 /// The same system with some lengths given: each scales the final class that its symbol leads to; the others follow.
-/// Every given length must then hold exactly. \throw std::invalid_argument for a power of several steps: give the
-/// lengths before it is taken
+/// Every given length must then hold exactly. \throw std::invalid_argument for a power of several steps where a symbol
+/// leads to several final classes: give the lengths before it is taken
 [[nodiscard]] FixedLengths with_lengths(const IntervalSystem& system, const std::vector<FixedLength>& lengths);
 
 } // namespace internode
