@@ -12,7 +12,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace internode::cli {
 
@@ -31,7 +33,14 @@ std::vector<double> divided(const std::vector<double>& rows, std::size_t dimensi
             throw failure(ExitCode::Refused,
                           fmt::format("the weight of point {} has become {}", last / dimension + 1, rows[last]),
                           "homogeneous points need positive weights");
-    return projected(rows, dimension);
+    std::vector<double> points = projected(rows, dimension);
+    const auto lost = std::ranges::find_if_not(points, [](double x) { return std::isfinite(x); });
+    if (lost != points.end())
+        throw failure(ExitCode::Refused,
+                      fmt::format("point {}, divided by its weight, is larger than every double",
+                                  static_cast<std::size_t>(lost - points.begin()) / dimension + 1),
+                      "scale the points or the weights");
+    return points;
 }
 
 /// Without the last number of each row.

@@ -15,7 +15,7 @@
 namespace internode::cli {
 
 /// Divides homogeneous points by their weights, which go; points that the grammar has projected itself stay.
-/// \throw Failure (Refused) for weights that are not positive
+/// \throw Failure (Refused) for weights that are not positive and quotients beyond doubles
 void project(PointStrands& strands, const LoadedPoints& loaded);
 
 /// A part as it is written.
@@ -27,7 +27,7 @@ struct DrawnPart {
 
 /// For CSV, JSON, NPY or OBJ. Homogeneous points that the grammar has not projected itself are divided by their
 /// weights, which stay as a last coordinate; OBJ leaves them out. The loaded part must outlive it. \throw Failure
-/// (Refused) for a word without points and for weights that are not positive
+/// (Refused) for a word without points, for weights that are not positive and for quotients beyond doubles
 [[nodiscard]] DrawnPart drawn_part(PointStrands strands, const LoadedPoints& loaded, const std::string& format);
 
 /// All parts in CSV, JSON or OBJ, the only one in NPY. \throw Failure (Refused) for parts that the format does not hold

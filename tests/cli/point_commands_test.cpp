@@ -268,6 +268,14 @@ TEST_F(PointCommands, WeightsAreDividedOutLast) {
     refuses({"@four-point", "far.csv", "-n", "2", "--rational", "--set", "w=2"}, 3, "weight of point");
 }
 
+/// Weights of 9 and 1 leave almost nothing between them under the four-point rule.
+TEST_F(PointCommands, QuotientsBeyondDoublesAreRefused) {
+    here.file("thin.csv", "1e305,8.999999999999998\n1e306,1\n1e306,1\n2e305,8.999999999999998\n");
+    for (const char* format : {"csv", "json", "obj", "npy", "svg"})
+        refuses({"@four-point", "thin.csv", "-n", "1", "--rational", "--format", format}, 3,
+                "divided by its weight, is larger than every double");
+}
+
 TEST_F(PointCommands, RationalArcsLieOnConics) {
     for (const auto& [weight, w] : std::vector<std::pair<std::string, double>>{{"1/2", 0.5}, {"1", 1}, {"5/2", 2.5}}) {
         std::istringstream rows(out({"@rational-arc", "-n", "5", "--set", "w=" + weight}));
