@@ -244,6 +244,11 @@ TEST(CurveDrawing, SeveralCurvesStandInOneFrameLayerByLayer) {
             }
             EXPECT_EQ(at, drawn_pieces.size());
         }
+        for (const std::string layer : {"control", "refined", "limit", "knots"})
+            for (const Spot& spot : all_spots(shapes_in(shapes, layer))) {
+                EXPECT_TRUE(28 <= spot.x + 0.01 && spot.x <= 932.01) << layer;
+                EXPECT_TRUE(58 <= spot.y + 0.01 && spot.y <= 778.01) << layer;
+            }
         EXPECT_EQ(shapes_in(shapes, "legend").size(), 8U);
     }
 }
