@@ -4,6 +4,7 @@
 // structure that they came in.
 
 #include "tests/cli/command.h"
+#include "tests/fixtures/stride.h"
 
 #include "internode/grammar/bundled.h"
 
@@ -171,7 +172,9 @@ protected:
 TEST_F(PointParts, AreRefinedEachAsIfItStoodAlone) {
     std::size_t rings = 0;
     std::size_t open = 0;
-    for (const BundledGrammar& grammar : bundled_grammars(GrammarKind::Points)) {
+    const auto grammars = bundled_grammars(GrammarKind::Points);
+    for (std::size_t i = 0; i < grammars.size(); i += stride()) {
+        const BundledGrammar& grammar = grammars[i];
         const std::string name = '@' + std::string(grammar.name);
         if (!agrees({name, "three.csv", "-n", "2", "--format", "csv"}, joined_csv, as_it_is)) continue;
         ++(grammar.text.find("\nring") == std::string_view::npos ? open : rings);
@@ -182,6 +185,8 @@ TEST_F(PointParts, AreRefinedEachAsIfItStoodAlone) {
         // Points in space are more than some rules have formals for.
         agrees({name, "three.obj", "-n", "2", "--format", "obj"}, joined_obj, obj_itself);
     }
+    EXPECT_GE(rings + open, 1U);
+    if (!in_full()) return;
     EXPECT_GE(rings, 12U);
     EXPECT_GE(open, 6U);
 }
