@@ -60,7 +60,7 @@ void write_origin(JsonWriter& json, const Knots& knots) {
 
 void write_level(JsonWriter& json, const PyramidReport& report, std::size_t level) {
     const std::size_t dimension = report.kept.coarse.dimension();
-    assert(level + 1 < report.analysis.gains.size() && level + 1 < report.approximations.size());
+    assert(level + 1 < report.analysis.gains.size() && level + 1 < report.errors.approximations.size());
     const PyramidLevel& kept = report.kept.levels[level];
     const std::vector<double> lengths = lengths_of(report.analysis.pyramid.levels[level].details, dimension);
     json.begin_object().key("points").integer(kept.points).key("inserted").integer(kept.inserted);

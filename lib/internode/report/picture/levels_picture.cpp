@@ -119,6 +119,7 @@ void append_strand(std::string& path, const PlanePart& part, const PointStrands:
 
 /// The lines that a part has of its own, or else its strands.
 void append_part(std::string& path, const PlanePart& part, const PanelGrid& grid) {
+    assert(part.lines.size() % 2 == 0);
     for (std::size_t i = 0; i + 1 < part.lines.size(); i += 2) {
         path += 'M';
         append_point(path, grid.pixel(part.lines[i]));
@@ -130,7 +131,6 @@ void append_part(std::string& path, const PlanePart& part, const PanelGrid& grid
 }
 
 std::string lines_of(const PlaneLevel& level, const PanelGrid& grid) {
-    assert(level.lines.size() % 2 == 0);
     std::string path;
     for (const PlanePart& part : level.parts) append_part(path, part, grid);
     return path;

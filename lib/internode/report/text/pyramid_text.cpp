@@ -43,8 +43,8 @@ std::string coarse_word(const Curve& coarse) {
 /// Finest level first, as the polygon is taken apart.
 std::string levels_table(const PyramidReport& report) {
     const Pyramid& pyramid = report.analysis.pyramid;
-    assert(report.approximations.size() == pyramid.levels.size() + 1);
-    assert(report.round_trips.size() == report.approximations.size());
+    assert(report.errors.approximations.size() == pyramid.levels.size() + 1);
+    assert(report.errors.round_trips.size() == report.errors.approximations.size());
     TextTable table(std::vector<Align>(9, Align::Right), 2, 2);
     table.row({"level", "points", "details", "kept", "longest", "G", "max error", "rms error", "round trip"});
     for (std::size_t level = pyramid.levels.size() + 1; level-- > 0;) {
