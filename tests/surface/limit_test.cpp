@@ -144,7 +144,7 @@ TEST(SurfaceLimit, NormalsAreThoseOfFiniteDifferences) {
                 EXPECT_NEAR(limit.sheet.normals[3 * k + c], static_cast<double>(n[c] / size), 1e-6);
         });
     });
-    EXPECT_GT(compared, 20u);
+    EXPECT_GT(compared, tests::in_full() ? 20U : 5U);
 }
 
 TEST(SurfaceLimit, OfTheUnitSphereIsItsOwnNormalPolesIncluded) {
