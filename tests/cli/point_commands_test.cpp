@@ -266,6 +266,9 @@ TEST_F(PointCommands, WeightsAreDividedOutLast) {
     EXPECT_EQ(lines(out({"@s1/20-21", arc, "-n", "2", "--rational"})).front(), "x,y") << "the grammar has projected";
     here.file("far.csv", "0,0,1\n1,2,9\n2,0,1\n3,1,1\n");
     refuses({"@four-point", "far.csv", "-n", "2", "--rational", "--set", "w=2"}, 3, "weight of point");
+    here.file("turned.csv", "0,0,1\n4,0,3\n4,3,1\n");
+    refuses({"-e", "points; ring; P(u) < P(v) -> P(2 v - u)", "turned.csv", "-n", "1", "--rational"}, 3,
+            "the weight of point 3 has become -1");
 }
 
 /// Weights of 9 and 1 leave almost nothing between them under the four-point rule.
