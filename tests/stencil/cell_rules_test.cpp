@@ -65,7 +65,10 @@ TEST(NormalForm, ForgetsNamesDoublesAndTheOrigin) {
     const std::uint32_t first[] = {0};
     const std::uint32_t second[] = {1};
     EXPECT_EQ(normal_form(one, first), normal_form(other, second));
-    EXPECT_EQ(normal_form(one, first).rules.size(), 2U);
+    const CellRules normal = normal_form(one, first).rules;
+    ASSERT_EQ(normal.size(), 2U);
+    EXPECT_EQ(normal[0].size(), 1U);
+    EXPECT_EQ(normal[1].size(), 2U);
     EXPECT_FALSE(normal_form(one, first) == normal_form(other, first));
 }
 
