@@ -13,12 +13,7 @@ namespace internode::cli {
 
 Diagnostic diagnostic_of(const LoadedText& text, const SourcePlace& place, const std::string& message,
                          const std::string& hint) {
-    if (place.bytes > 0) return diagnostic_at(text.text, text.source, place, message, hint);
-    Diagnostic whole;
-    whole.source = text.source;
-    whole.message = message;
-    whole.hint = hint;
-    return whole;
+    return diagnostic_at(text.text, text.source, place, message, hint);
 }
 
 PointSystem checked_system(const LoadedText& text, PointGrammar grammar, const PointSettings& settings) {

@@ -164,17 +164,24 @@ private:
     std::map<std::size_t, std::shared_ptr<const PointSystem>> made_;
 };
 
-LoadedPoints from_axiom(Systems& systems, const LoadedText& text, const SubdivideOptions& options) {
-    std::shared_ptr<const PointSystem> system = systems.of(PointStart::Axiom, PointSettings().dimension);
-    ModuleWord word = axiom_word(*system);
+/// What every start has.
+LoadedPoints begun(std::shared_ptr<const PointSystem> system, ModuleWord word, const LoadedText& text,
+                   const SubdivideOptions& options) {
     DeriveOptions derive = derive_options(*system, options.point);
     return {.text = text,
             .system = std::move(system),
             .word = std::move(word),
             .derive = std::move(derive),
             .name = {},
-            .start = "the axiom",
+            .start = {},
             .columns = {}};
+}
+
+LoadedPoints from_axiom(Systems& systems, const LoadedText& text, const SubdivideOptions& options) {
+    const std::shared_ptr<const PointSystem> system = systems.of(PointStart::Axiom, PointSettings().dimension);
+    LoadedPoints loaded = begun(system, axiom_word(*system), text, options);
+    loaded.start = "the axiom";
+    return loaded;
 }
 
 LoadedPoints from_polygon(Systems& systems, InputPolygon polygon, const LoadedText& text,
@@ -185,19 +192,14 @@ LoadedPoints from_polygon(Systems& systems, InputPolygon polygon, const LoadedTe
         polygon.points = homogeneous(polygon.points, polygon.dimension, polygon.weights);
         ++polygon.dimension;
     }
-    std::shared_ptr<const PointSystem> system = systems.of(PointStart::Input, polygon.dimension);
-    ModuleWord word = word_of_polygon(*system, polygon);
-    DeriveOptions derive = derive_options(*system, options.point);
-    return {.text = text,
-            .system = std::move(system),
-            .word = std::move(word),
-            .derive = std::move(derive),
-            .name = {},
-            .start = base_name(polygon.source),
-            .polygon_size = size,
-            .columns = std::move(polygon.columns),
-            .coordinates = has_weights ? Coordinates::Homogeneous : Coordinates::Cartesian,
-            .break_text = std::move(polygon.break_text)};
+    const std::shared_ptr<const PointSystem> system = systems.of(PointStart::Input, polygon.dimension);
+    LoadedPoints loaded = begun(system, word_of_polygon(*system, polygon), text, options);
+    loaded.start = base_name(polygon.source);
+    loaded.polygon_size = size;
+    loaded.columns = std::move(polygon.columns);
+    if (has_weights) loaded.coordinates = Coordinates::Homogeneous;
+    loaded.break_text = std::move(polygon.break_text);
+    return loaded;
 }
 
 } // namespace

@@ -218,4 +218,14 @@ TEST(ParsePoints, TheGrammarsOfTheDocumentationAreRead) {
     EXPECT_GE(read, 2);
 }
 
+TEST(DiagnosticAt, OfNoBytesMeansTheWholeGrammar) {
+    const std::string text = "points\nP(v) -> P(v)";
+    const Diagnostic rule = diagnostic_at(text, "g", SourcePlace{7, 1}, "a rule", "a hint");
+    EXPECT_EQ(rule.line, 2U);
+    EXPECT_EQ(rule.source_line, "P(v) -> P(v)");
+    const Diagnostic whole = diagnostic_at(text, "g", SourcePlace{}, "all of it", "a hint");
+    EXPECT_EQ(whole.line, 0U);
+    EXPECT_EQ(to_string(whole), "g: error: all of it\nhint: a hint\n");
+}
+
 } // namespace internode

@@ -9,6 +9,7 @@
 #include "internode/grammar/intervals/length_reader.h"
 #include "internode/grammar/intervals/print.h"
 #include "internode/grammar/lexing/limits.h"
+#include "internode/grammar/lexing/normal_form.h"
 #include "internode/grammar/lexing/opening.h"
 #include "internode/grammar/lexing/statement.h"
 #include "internode/grammar/lexing/symbol_hints.h"
@@ -202,24 +203,12 @@ std::size_t letters_of(const IntervalGrammar& grammar) {
     return letters;
 }
 
-/// The normal form must be readable again: powers and exponents written out may exceed a line or a text.
+/// Only what could be too large is printed.
 void check_printed(const IntervalGrammar& grammar, std::size_t text_bytes, Complaints& complaints) {
     const std::size_t lengths = grammar.lengths.size() * 2 * max_digits;
     const std::size_t letters = letters_of(grammar) * (max_name_bytes + 1);
     if (std::max({lengths, letters, text_bytes}) < max_line_bytes / 4) return;
-    const std::string printed = print(grammar);
-    std::size_t longest = 0;
-    for (std::size_t start = 0; start < printed.size();) {
-        const std::size_t end = printed.find('\n', start);
-        longest = std::max(longest, end - start);
-        start = end + 1;
-    }
-    const auto refuse = [&](std::string_view what, std::size_t bytes, std::size_t limit) {
-        complaints.add("grammar.normal-form-too-large", {0, 1},
-                       fmt::format("written out, this makes a {} of {} bytes, more than {}", what, bytes, limit));
-    };
-    if (longest > max_line_bytes) refuse("line", longest, max_line_bytes);
-    if (printed.size() > max_grammar_bytes) refuse("text", printed.size(), max_grammar_bytes);
+    check_normal_form(print(grammar), complaints);
 }
 
 } // namespace

@@ -20,7 +20,8 @@ using ParsedPointGrammar = Parsed<PointGrammar>;
 /// std::bad_alloc). Cost: linear in the text. Limits: grammar/lexing/limits.h.
 [[nodiscard]] ParsedPointGrammar parse_point_grammar(std::string_view text, std::string_view source);
 
-/// A diagnostic about a place of a grammar that has been read: with its line, column and source line.
+/// A diagnostic about a place of a grammar that has been read: with its line, column and source line. A place of no
+/// bytes means the whole grammar and gives none of these.
 [[nodiscard]] Diagnostic diagnostic_at(std::string_view text, std::string_view source, const SourcePlace& place,
                                        std::string message, std::string hint, std::string_view code = {});
 

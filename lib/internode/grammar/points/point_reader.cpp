@@ -7,6 +7,7 @@
 #include "internode/grammar/points/point_reader.h"
 
 #include "internode/grammar/lexing/limits.h"
+#include "internode/grammar/lexing/normal_form.h"
 #include "internode/grammar/lexing/opening.h"
 #include "internode/grammar/lexing/statement.h"
 #include "internode/grammar/points/cycle_reader.h"
@@ -222,23 +223,10 @@ private:
     std::optional<std::size_t> table_;
 };
 
-/// The normal form must be readable again: powers written out may exceed a line or a text.
+/// Only what could be too large is printed.
 void check_printed(const PointGrammar& grammar, const PointContext& context) {
     if (!context.repeated && context.text.size() < max_line_bytes / 8) return;
-    const std::string printed = print(grammar);
-    std::size_t longest = 0;
-    for (std::size_t start = 0; start < printed.size();) {
-        const std::size_t end = printed.find('\n', start);
-        longest = std::max(longest, end - start);
-        start = end + 1;
-    }
-    const auto refuse = [&](std::string_view what, std::size_t bytes, std::size_t limit) {
-        context.complaints.add(
-            "grammar.normal-form-too-large", {0, 1},
-            fmt::format("written out, this makes a {} of {} bytes, more than {}", what, bytes, limit));
-    };
-    if (longest > max_line_bytes) refuse("line", longest, max_line_bytes);
-    if (printed.size() > max_grammar_bytes) refuse("text", printed.size(), max_grammar_bytes);
+    check_normal_form(print(grammar), context.complaints);
 }
 
 } // namespace
