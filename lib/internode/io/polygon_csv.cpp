@@ -7,6 +7,7 @@
 
 #include "internode/io/file/limits.h"
 #include "internode/text/number.h"
+#include "internode/text/utf8.h"
 
 #include <algorithm>
 #include <array>
@@ -66,12 +67,10 @@ char separator_of(std::string_view line) {
 class CsvReader {
 public:
     CsvReader(std::string_view text, std::string_view source)
-        : text_(text)
+        : text_(without_byte_order_mark(text))
         , source_(source) {}
 
     ParsedPolygons read() && {
-        constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-        if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
         while (!text_.empty() && errors_.size() < max_polygon_errors) {
             line_ = text_.substr(0, text_.find('\n'));
             text_.remove_prefix(std::min(line_.size() + 1, text_.size()));

@@ -6,6 +6,7 @@
 
 #include "internode/text/diagnostic.h"
 #include "internode/text/place.h"
+#include "internode/text/utf8.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -27,12 +28,9 @@ public:
     /// All must outlive the lines, and `code`, that of every complaint, the diagnostics. A byte order mark is passed
     /// over.
     TextLines(std::string_view text, std::string_view source, std::string_view code)
-        : text_(text)
+        : text_(without_byte_order_mark(text))
         , source_(source)
-        , code_(code) {
-        constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-        if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
-    }
+        , code_(code) {}
 
     /// Takes the next line, without its end; false when there is none.
     bool next() {

@@ -27,6 +27,12 @@ bool is_scalar(char32_t value) {
 
 } // namespace
 
+std::string_view without_byte_order_mark(std::string_view text) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+    return text;
+}
+
 CodePoint code_point_at(std::string_view text, std::size_t place) {
     assert(place < text.size());
     const auto byte_at = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };

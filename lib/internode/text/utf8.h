@@ -17,6 +17,9 @@ struct CodePoint {
     bool valid = false;
 };
 
+/// The text behind the byte order mark that it may begin with.
+[[nodiscard]] std::string_view without_byte_order_mark(std::string_view text);
+
 /// The code point at text[place]; place < text.size().
 [[nodiscard]] CodePoint code_point_at(std::string_view text, std::size_t place);
 

@@ -4,6 +4,7 @@
 
 #include "internode/io/json/json_fields.h"
 #include "internode/io/json/json_reader.h"
+#include "internode/text/utf8.h"
 
 #include <algorithm>
 

@@ -21,12 +21,6 @@ std::string kind(const JsonValue& value) {
 
 } // namespace
 
-std::string_view without_byte_order_mark(std::string_view text) {
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-    return text;
-}
-
 JsonFields::JsonFields(std::string_view text, std::string_view source)
     : text_(text)
     , source_(source) {}

@@ -15,8 +15,6 @@
 
 namespace internode {
 
-[[nodiscard]] std::string_view without_byte_order_mark(std::string_view text);
-
 class JsonFields {
 public:
     /// Both must outlive the fields.

@@ -6,6 +6,8 @@
 
 #include "internode/io/json/json_reader.h"
 
+#include "internode/text/utf8.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -251,8 +253,7 @@ std::string shortened(const std::string& text) {
 }
 
 ParsedJson read_json(std::string_view text, std::string_view source, std::uint64_t max_values) {
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+    text = without_byte_order_mark(text);
     const std::size_t zero = text.find('\0'); // the parser would take it for the end of the text
     if (zero != std::string_view::npos) {
         ParsedJson refused{.value = {}, .error = diagnostic_at(text, zero, source, "a byte 0")};

@@ -10,6 +10,7 @@
 #include "internode/io/json/json_fields.h"
 #include "internode/io/json/json_reader.h"
 #include "internode/text/number.h"
+#include "internode/text/utf8.h"
 
 #include <algorithm>
 #include <array>
