@@ -11,7 +11,6 @@
 #include "internode/grammar/parse.h"
 #include "internode/interval/validity.h"
 #include "internode/refine_points.h"
-#include "internode/text/limits.h"
 #include "internode/text/printable.h"
 
 #include <fmt/format.h>
@@ -112,9 +111,7 @@ std::vector<double> refined(const IntervalGrammar& grammar, const RefineRequest&
     const RefineOptions& options = request.options;
     const Curve curve = curve_of(grammar, request.points, request.dimension, options);
     const RefinementSize size = refined_size(curve, static_cast<std::uint64_t>(request.steps), options.max_points);
-    if (size.exceeded)
-        throw LimitExceeded(
-            fmt::format("{} steps make more than {} points (max_points)", request.steps, options.max_points));
+    if (size.exceeded) throw too_many_points(request);
     return refine(curve, request.steps, options.apply).points();
 }
 

@@ -47,8 +47,9 @@ struct RefineOptions {
 
 /// The points after `steps` >= 0 steps, in rows as before; of a point grammar after so many cycles and all its
 /// interpretations, in the order of its word: the modules that are one point each.
-/// \throw std::invalid_argument as above and for fewer steps, LimitExceeded for more than max_points or too many
-/// states, std::range_error where a rule of a point grammar leaves the numbers
+/// \throw std::invalid_argument as above, for fewer steps and for an interpretation that makes points of another
+/// dimension; LimitExceeded for more than max_points or too many states; std::range_error where a rule of a point
+/// grammar leaves the numbers
 [[nodiscard]] std::vector<double> refine(std::string_view grammar, std::span<const double> points,
                                          std::size_t dimension, const RefineOptions& options, int steps);
 

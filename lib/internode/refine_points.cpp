@@ -10,7 +10,6 @@
 #include "internode/point/growth.h"
 #include "internode/point/start_word.h"
 #include "internode/point/strands.h"
-#include "internode/text/limits.h"
 
 #include <fmt/format.h>
 
@@ -36,11 +35,6 @@ PointSystem system_of(const PointGrammar& grammar, const RefineRequest& request)
     throw std::invalid_argument(problems);
 }
 
-LimitExceeded too_many(const RefineRequest& request) {
-    return LimitExceeded(
-        fmt::format("{} steps make more than {} points (max_points)", request.steps, request.options.max_points));
-}
-
 ModuleWord whole(const RefineRequest& request, const std::optional<DerivationProblem>& problem,
                  std::optional<ModuleWord> word) {
     if (problem) throw std::range_error(told(request, problem->place, problem->message, problem->hint));
@@ -52,13 +46,18 @@ ModuleWord derived(const PointSystem& system, const FastOptions& options, const 
     const ModuleWord word = input_word(system, request.points);
     const auto cycles = static_cast<std::uint64_t>(request.steps);
     const std::uint64_t most = options.derive.max_modules;
-    if (predicted_length(system, word, cycles, most).value_or(0) > most) throw too_many(request);
+    if (predicted_length(system, word, cycles, most).value_or(0) > most) throw too_many_points(request);
     FastDerivation fast = derive_fast(system, {word, {request.points.size() / request.dimension}}, cycles, options);
-    if (fast.too_large) throw too_many(request);
+    if (fast.too_large) throw too_many_points(request);
     return whole(request, fast.problem, std::move(fast.word));
 }
 
 } // namespace
+
+LimitExceeded too_many_points(const RefineRequest& request) {
+    return LimitExceeded(
+        fmt::format("{} steps make more than {} points (max_points)", request.steps, request.options.max_points));
+}
 
 std::vector<double> refined(const PointGrammar& grammar, const RefineRequest& request) {
     const PointSystem system = system_of(grammar, request);
@@ -67,7 +66,11 @@ std::vector<double> refined(const PointGrammar& grammar, const RefineRequest& re
     options.apply = request.options.apply;
     Derivation shown = interpret(system, derived(system, options, request), options.derive);
     const ModuleWord last = whole(request, shown.problem, std::move(shown.word));
-    return strands(last, system, system.grammar().interpretations.size()).points;
+    PointStrands drawn = strands(last, system, system.grammar().interpretations.size());
+    if (drawn.size() > 0 && drawn.dimension != request.dimension)
+        throw std::invalid_argument(fmt::format("the interpretation makes points of {} coordinates of points of {}",
+                                                drawn.dimension, request.dimension));
+    return std::move(drawn.points);
 }
 
 } // namespace internode

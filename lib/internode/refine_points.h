@@ -6,6 +6,7 @@
 
 #include "internode/grammar/points/point_grammar.h"
 #include "internode/refine.h"
+#include "internode/text/limits.h"
 
 #include <cstddef>
 #include <span>
@@ -23,6 +24,9 @@ struct RefineRequest {
     const RefineOptions& options;
     int steps; ///< 0 or more
 };
+
+/// The refusal of more than max_points points.
+[[nodiscard]] LimitExceeded too_many_points(const RefineRequest& request);
 
 /// The points of the word after all cycles and all interpretations. \throw as refine() (internode/refine.h)
 [[nodiscard]] std::vector<double> refined(const PointGrammar& grammar, const RefineRequest& request);

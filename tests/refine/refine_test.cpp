@@ -136,6 +136,14 @@ TEST(Refine, OfAPointGrammarIsItsInterpretation) {
               (std::array<double, 2>{0, 1.5}));
 }
 
+TEST(Refine, OfAPointGrammarIsInterpretedInTheDimensionOfThePoints) {
+    const std::string begin = "points\nring\nP(v) -> P(v)\ninterpretation\nP(v) -> P'";
+    EXPECT_EQ(refine(begin + "((v.x, 2 v.y))", pentagon, {}, 1)[3], (std::array<double, 2>{2, 10}));
+    for (const std::string& letter : {begin, begin.substr(0, begin.size() - 1)})
+        EXPECT_THAT(refusal(letter + "((v.x, v.y, 1))", pentagon, {}),
+                    HasSubstr("the interpretation makes points of 3 coordinates of points of 2"));
+}
+
 TEST(Refine, OfAPointGrammarSaysWhatIsWrongAndWhere) {
     EXPECT_THAT(refusal("points\nring\nP(v) -> P(", pentagon, {}), HasSubstr("<grammar>:3:"));
     EXPECT_THAT(refusal("points\nP(v) -> P(v + 1)", pentagon, {}), HasSubstr("<grammar>:2:"));
