@@ -4,6 +4,7 @@
 #include "tests/fixtures/source_folder.h"
 #include "tests/fixtures/texts.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -79,6 +80,13 @@ std::uint64_t Workspace::peak_memory(const std::vector<std::string>& arguments) 
     ::wait4(child, &status, 0, &usage);
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
     return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+void expect_refused(const Outcome& outcome, const std::vector<std::string>& arguments, const std::string& words,
+                    int code) {
+    EXPECT_EQ(outcome.code, code) << testing::PrintToString(arguments) << outcome.err << outcome.out;
+    EXPECT_THAT(outcome.err, testing::HasSubstr(words)) << testing::PrintToString(arguments);
+    EXPECT_EQ(outcome.out, "");
 }
 
 std::vector<std::string> split(std::string_view line) {

@@ -41,6 +41,10 @@ private:
     std::filesystem::path path_;
 };
 
+/// Expects a refusal: this exit code, these words on stderr, and nothing on stdout.
+void expect_refused(const Outcome& outcome, const std::vector<std::string>& arguments, const std::string& words,
+                    int code = 3);
+
 /// The words of a line, quotes '…' taken off: enough for the examples in --help.
 [[nodiscard]] std::vector<std::string> split(std::string_view line);
 

@@ -5,12 +5,12 @@
 
 #include "tests/cli/command.h"
 #include "tests/fixtures/source_folder.h"
+#include "tests/fixtures/texts.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
@@ -156,14 +156,12 @@ TEST(Formats, OfHelpAreThoseOfTheTable) {
 }
 
 TEST(Formats, EveryJsonHasASchemaAndALineInTheDocs) {
-    std::ifstream stream(in_source_folder("docs/json.md"));
-    std::ostringstream text;
-    text << stream.rdbuf();
+    const std::string text = content(in_source_folder("docs/json.md"));
     std::size_t schemas = 0;
     for (const auto& entry : std::filesystem::directory_iterator(in_source_folder("docs/schema"))) {
         const std::string name = entry.path().filename().string();
-        EXPECT_THAT(text.str(), HasSubstr("| `" + name + "` |"));
-        EXPECT_THAT(text.str(), HasSubstr("## internode-" + name.substr(0, name.find('.')) + "\n"));
+        EXPECT_THAT(text, HasSubstr("| `" + name + "` |"));
+        EXPECT_THAT(text, HasSubstr("## internode-" + name.substr(0, name.find('.')) + "\n"));
         ++schemas;
     }
     EXPECT_GE(schemas, 14U);

@@ -25,10 +25,7 @@ protected:
         return here.run(arguments);
     }
     void refused(const std::vector<std::string>& arguments, const std::string& words) const {
-        const Outcome outcome = run(arguments);
-        EXPECT_EQ(outcome.code, 3) << testing::PrintToString(arguments) << outcome.out;
-        EXPECT_THAT(outcome.err, HasSubstr(words));
-        EXPECT_EQ(outcome.out, "");
+        expect_refused(run(arguments), arguments, words);
     }
     void SetUp() override { here.file("ramp.json", ramp); }
     Workspace here;

@@ -116,78 +116,102 @@ Words with_format(const Words& line, const std::string& format) {
     return joined(line, {"--format", format});
 }
 
-/// Lines of all kinds and forms, by command.
-std::vector<Words> lines() {
-    const std::string leaf = "data/curves/leaf.csv";
-    const std::string pebble = "data/curves/pebble.csv";
+using Lines = std::vector<Words>;
+
+Lines operator+(Lines first, const Lines& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
+/// The line once in each form.
+Lines in_forms(const Words& line, const Words& forms) {
+    Lines all;
+    for (const std::string& form : forms) all.push_back(with_format(line, form));
+    return all;
+}
+
+const std::string leaf = "data/curves/leaf.csv";
+const std::string pebble = "data/curves/pebble.csv";
+const std::string open_curve = "data/curves/fibonacci-open.json";
+const Words own{"--expression", "L -> S L, S -> L"};
+
+Lines validate_and_masks_lines() {
+    const Words masks{"masks", "@fibonacci", "-d", "2"};
+    return Lines{{"validate", "@fibonacci"},
+                 {"validate", "@s0/13"},
+                 {"validate", "@four-point"},
+                 joined({"validate"}, own),
+                 masks,
+                 joined({"masks", "-d", "2"}, own),
+                 joined(masks, {"--automaton"}),
+                 joined(masks, {"--matrix", "--word", "LSLLSL"}),
+                 {"masks", "@s0/13"},
+                 {"masks", "@s0/13", "--automaton"},
+                 {"masks", "@four-point"}} +
+           in_forms(masks, {"json", "dot", "svg", "c", "glsl"}) + in_forms({"masks", "@s0/13"}, {"json", "mtx", "csv"});
+}
+
+Lines subdivide_lines() {
     const Words curve{"subdivide", "@fibonacci", leaf, "-d", "2", "--closed", "--word", "LS", "--repeat", "-n", "2"};
     const Words points{"subdivide", "@s0/13", pebble, "-n", "2"};
     const Words grid{"subdivide", "--u", "@fibonacci", "--v", "@silver-mean", "data/grids/wave.json", "-n", "1"};
-    const Words reverse{"reverse", "@fibonacci", leaf, "-d", "3", "--closed", "--word", "LS", "--repeat", "-n", "2"};
-    const Words reversal{"reverse", "@s0/13", leaf, "-n", "1"};
+    return Lines{curve,
+                 joined(curve, {"--limit"}),
+                 joined(curve, {"--limit", "--derivatives"}),
+                 {"subdivide", "@fibonacci", open_curve, "-n", "1"},
+                 points,
+                 joined(points, {"--trace"}),
+                 joined(points, {"--tree"}),
+                 joined(points, {"--interpreter"}),
+                 {"subdivide", "@koch", "-n", "1"},
+                 {"subdivide", "@four-point", pebble, "-n", "1"},
+                 {"subdivide", "@asked-cutting", pebble, "-n", "1"},
+                 {"subdivide", "@midpoint-displacement", pebble, "-n", "1"},
+                 {"subdivide", "@s0/34-36", pebble, "-n", "1"},
+                 grid,
+                 joined(grid, {"--limit"}),
+                 joined(grid, {"--limit", "--normals"}),
+                 with_format(joined(grid, {"--limit"}), "stl")} +
+           in_forms(curve, {"json", "npy", "obj", "svg"}) + in_forms(points, {"json", "npy", "obj", "svg", "text"}) +
+           in_forms(grid, {"obj", "ply", "stl"});
+}
+
+Lines reverse_lines() {
+    const Words closed{"reverse", "@fibonacci", leaf, "-d", "3", "--closed", "--word", "LS", "--repeat", "-n", "2"};
+    const Words points{"reverse", "@s0/13", leaf, "-n", "1"};
     const Words open{
         "reverse", "@fibonacci", "data/curves/signal.csv", "-d", "3", "--word", "LS", "--repeat", "--resample",
         "-n",      "1"};
-    const Words masks{"masks", "@fibonacci", "-d", "2"};
-    const Words own{"--expression", "L -> S L, S -> L"};
-    std::vector<Words> all{
-        {"validate", "@fibonacci"},
-        {"validate", "@s0/13"},
-        {"validate", "@four-point"},
-        joined({"validate"}, own),
-        masks,
-        joined({"masks", "-d", "2"}, own),
-        joined(masks, {"--automaton"}),
-        joined(masks, {"--matrix", "--word", "LSLLSL"}),
-        {"masks", "@s0/13"},
-        {"masks", "@s0/13", "--automaton"},
-        {"masks", "@four-point"},
-        curve,
-        joined(curve, {"--limit"}),
-        joined(curve, {"--limit", "--derivatives"}),
-        {"subdivide", "@fibonacci", "data/curves/fibonacci-open.json", "-n", "1"},
-        points,
-        joined(points, {"--trace"}),
-        joined(points, {"--tree"}),
-        joined(points, {"--interpreter"}),
-        {"subdivide", "@koch", "-n", "1"},
-        {"subdivide", "@four-point", pebble, "-n", "1"},
-        {"subdivide", "@asked-cutting", pebble, "-n", "1"},
-        {"subdivide", "@midpoint-displacement", pebble, "-n", "1"},
-        {"subdivide", "@s0/34-36", pebble, "-n", "1"},
-        grid,
-        joined(grid, {"--limit"}),
-        joined(grid, {"--limit", "--normals"}),
-        with_format(joined(grid, {"--limit"}), "stl"),
-        {"converge", "@fibonacci", "data/curves/fibonacci-open.json", "-n", "2"},
-        joined({"converge", "data/curves/fibonacci-open.json", "-n", "1"}, own),
-        reverse,
-        joined(reverse, {"--local"}),
-        open,
-        joined({"reverse", leaf, "-d", "2", "-n", "1", "--closed", "--word", "LS", "--repeat"}, own),
-        reversal,
-        {"reverse", "@s0/13", "--rules"},
-        {"reverse", "@four-point", leaf, "-n", "1"},
-        {"compose", "data/pyramids/leaf.json"},
-        {"infer", "data/matrices/chaikin.csv"},
-        {"infer", "data/matrices/chaikin-open.csv", "--open"},
-        {"infer", "data/matrices/chaikin.csv", "--format", "lsys"},
-        {"word", "@fibonacci", "--word", "L", "-n", "3"},
-        joined({"word", "--word", "L", "-n", "4"}, own),
-        {"format", "@fibonacci", "--format", "text"},
-        joined({"format"}, own),
-        {"format", "@koch"},
-        {"formats"},
-        {"grammars"},
-        {"limits"},
-    };
-    for (const char* form : {"json", "dot", "svg", "c", "glsl"}) all.push_back(with_format(masks, form));
-    for (const char* form : {"json", "npy", "obj", "svg"}) all.push_back(with_format(curve, form));
-    for (const char* form : {"json", "npy", "obj", "svg", "text"}) all.push_back(with_format(points, form));
-    for (const char* form : {"obj", "ply", "stl"}) all.push_back(with_format(grid, form));
-    for (const char* form : {"json", "csv", "svg"}) all.push_back(with_format(reversal, form));
-    for (const char* form : {"json", "mtx", "csv"}) all.push_back(with_format({"masks", "@s0/13"}, form));
-    return all;
+    return Lines{closed,
+                 joined(closed, {"--local"}),
+                 open,
+                 joined({"reverse", leaf, "-d", "2", "-n", "1", "--closed", "--word", "LS", "--repeat"}, own),
+                 points,
+                 {"reverse", "@s0/13", "--rules"},
+                 {"reverse", "@four-point", leaf, "-n", "1"},
+                 {"compose", "data/pyramids/leaf.json"}} +
+           in_forms(points, {"json", "csv", "svg"});
+}
+
+Lines other_lines() {
+    return {{"converge", "@fibonacci", open_curve, "-n", "2"},
+            joined({"converge", open_curve, "-n", "1"}, own),
+            {"infer", "data/matrices/chaikin.csv"},
+            {"infer", "data/matrices/chaikin-open.csv", "--open"},
+            {"infer", "data/matrices/chaikin.csv", "--format", "lsys"},
+            {"word", "@fibonacci", "--word", "L", "-n", "3"},
+            joined({"word", "--word", "L", "-n", "4"}, own),
+            {"format", "@fibonacci", "--format", "text"},
+            joined({"format"}, own),
+            {"format", "@koch"},
+            {"formats"},
+            {"grammars"},
+            {"limits"}};
+}
+
+/// Lines of all kinds and forms, by command.
+Lines lines() {
+    return validate_and_masks_lines() + subdivide_lines() + reverse_lines() + other_lines();
 }
 
 /// The long names of the options that --help lists.

@@ -19,10 +19,7 @@ protected:
         return here.run(arguments);
     }
     void refused(const std::vector<std::string>& arguments, const std::string& words) const {
-        const Outcome outcome = run(arguments);
-        EXPECT_EQ(outcome.code, 3) << testing::PrintToString(arguments) << outcome.out;
-        EXPECT_THAT(outcome.err, HasSubstr(words));
-        EXPECT_EQ(outcome.out, "");
+        expect_refused(run(arguments), arguments, words);
     }
     void SetUp() override {
         here.file("two.csv", "x,y\n0,0\n2,0\n\n0,4\n2,4\n4,4\n");

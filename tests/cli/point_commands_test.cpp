@@ -56,10 +56,7 @@ protected:
         return outcome.out;
     }
     void refuses(const std::vector<std::string>& arguments, int code, const std::string& message) const {
-        const Outcome outcome = run(arguments);
-        EXPECT_EQ(outcome.code, code) << testing::PrintToString(arguments) << outcome.err;
-        EXPECT_THAT(outcome.err, HasSubstr(message)) << testing::PrintToString(arguments);
-        EXPECT_EQ(outcome.out, "");
+        expect_refused(run(arguments), arguments, message, code);
     }
     const std::string pebble = "data/curves/pebble.csv";
     Workspace here;

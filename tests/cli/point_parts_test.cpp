@@ -140,10 +140,7 @@ protected:
         return outcome.out;
     }
     void refuses(const std::vector<std::string>& arguments, const std::string& message) const {
-        const Outcome outcome = run(arguments);
-        EXPECT_EQ(outcome.code, 3) << testing::PrintToString(arguments) << outcome.out;
-        EXPECT_THAT(outcome.err, HasSubstr(message));
-        EXPECT_EQ(outcome.out, "");
+        expect_refused(run(arguments), arguments, message);
     }
     /// Whether every part alone gives what all of them together give; false where some part alone is refused, and then
     /// all of them are.

@@ -140,38 +140,29 @@ TEST_F(Subdivide, PlansWhatItMakesForEveryBundledGrammar) {
 }
 
 #ifndef INTERNODE_SANITIZED // a sanitizer's shadow memory is no promise of ours
-TEST_F(Subdivide, TakesNoMoreMemoryThanPlanned) {
-    const std::vector<std::string> job{
+std::vector<std::string> coast(std::initializer_list<std::string> more) {
+    std::vector<std::string> line{
         "subdivide", "@fibonacci", "data/curves/iceland-coast.csv", "-d", "3", "--closed", "--word", "LS", "--repeat"};
-    const auto with = [&job](std::initializer_list<std::string> more) {
-        auto line = job;
-        line.insert(line.end(), more);
-        return line;
-    };
-    const std::uint64_t small = here.peak_memory(with({"-n", "0", "-o", "out.npy"}));
-    const std::uint64_t large = here.peak_memory(with({"-n", "14", "-o", "out.npy"}));
-    const auto plan = with({"-n", "14", "--plan"});
-    const std::string text = here.run(plan).out;
-    const std::uint64_t planned = std::stoull(text.substr(text.find("memory ") + 7));
-    ASSERT_GT(planned, std::uint64_t{64} << 20);
-    EXPECT_LE(large - small, planned + planned * 15 / 100);
+    line.insert(line.end(), more);
+    return line;
 }
 
 std::uint64_t planned_memory(const std::string& plan) {
     return std::stoull(plan.substr(plan.find("memory ") + 7));
 }
 
+TEST_F(Subdivide, TakesNoMoreMemoryThanPlanned) {
+    const std::uint64_t small = here.peak_memory(coast({"-n", "0", "-o", "out.npy"}));
+    const std::uint64_t large = here.peak_memory(coast({"-n", "14", "-o", "out.npy"}));
+    const std::uint64_t planned = planned_memory(here.run(coast({"-n", "14", "--plan"})).out);
+    ASSERT_GT(planned, std::uint64_t{64} << 20);
+    EXPECT_LE(large - small, planned + planned * 15 / 100);
+}
+
 TEST_F(Subdivide, APictureOfManyStepsTakesNoMoreMemoryThanPlanned) {
-    const std::vector<std::string> job{
-        "subdivide", "@fibonacci", "data/curves/iceland-coast.csv", "-d", "3", "--closed", "--word", "LS", "--repeat"};
-    const auto with = [&job](std::initializer_list<std::string> more) {
-        auto line = job;
-        line.insert(line.end(), more);
-        return line;
-    };
-    const std::uint64_t small = here.peak_memory(with({"-n", "0", "-o", "out.npy"}));
-    const std::uint64_t large = here.peak_memory(with({"-n", "14", "-o", "out.svg"}));
-    const std::uint64_t planned = planned_memory(here.run(with({"-n", "14", "--plan", "--format", "svg"})).out);
+    const std::uint64_t small = here.peak_memory(coast({"-n", "0", "-o", "out.npy"}));
+    const std::uint64_t large = here.peak_memory(coast({"-n", "14", "-o", "out.svg"}));
+    const std::uint64_t planned = planned_memory(here.run(coast({"-n", "14", "--plan", "--format", "svg"})).out);
     EXPECT_LE(large - std::min(small, large), planned + planned * 15 / 100);
     EXPECT_LT(planned, std::uint64_t{64} << 20) << "no more is drawn than can be seen";
 }

@@ -5,23 +5,13 @@
 #include "internode/io/csv.h"
 #include "internode/io/polygon.h"
 #include "internode/text/diagnostic.h"
+#include "tests/fuzz/require.h"
 
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
-#include <cstring>
 
-namespace {
-
-void require(bool holds) {
-    if (!holds) std::abort();
-}
-
-bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
-}
-
-} // namespace
+using internode::fuzz::require;
+using internode::fuzz::same_bits;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace internode;

@@ -5,23 +5,15 @@
 #include "internode/io/json/curve_json.h"
 #include "internode/io/polygon.h"
 #include "internode/text/diagnostic.h"
+#include "tests/fuzz/require.h"
 
 #include <cstdint>
-#include <cstdlib>
-#include <cstring>
 
 namespace {
 
 using namespace internode;
-
-void require(bool holds) {
-    if (!holds) std::abort();
-}
-
-bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
-    // Of an empty vector there may be no address.
-    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
-}
+using fuzz::require;
+using fuzz::same_bits;
 
 bool same_coefficients(const InputPolygon& a, const InputPolygon& b) {
     if (a.lengths.size() != b.lengths.size()) return false;

@@ -8,12 +8,12 @@
 #include "internode/point/interpreter.h"
 #include "internode/point/start_word.h"
 #include "internode/point/strands.h"
+#include "tests/fuzz/require.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -22,10 +22,7 @@
 namespace {
 
 using namespace internode;
-
-void require(bool truth) {
-    if (!truth) std::abort();
-}
+using fuzz::require;
 
 DeriveOptions options() {
     DeriveOptions options;

@@ -4,17 +4,11 @@
 
 #include "internode/io/matrix/fraction_matrix.h"
 #include "internode/text/diagnostic.h"
+#include "tests/fuzz/require.h"
 
 #include <cstdint>
-#include <cstdlib>
 
-namespace {
-
-void require(bool holds) {
-    if (!holds) std::abort();
-}
-
-} // namespace
+using internode::fuzz::require;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace internode;

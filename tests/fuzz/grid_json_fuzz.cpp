@@ -5,22 +5,15 @@
 #include "internode/io/json/grid_json.h"
 #include "internode/io/json/input_grid.h"
 #include "internode/text/diagnostic.h"
+#include "tests/fuzz/require.h"
 
 #include <cstdint>
-#include <cstdlib>
-#include <cstring>
 
 namespace {
 
 using namespace internode;
-
-void require(bool holds) {
-    if (!holds) std::abort();
-}
-
-bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
-}
+using fuzz::require;
+using fuzz::same_bits;
 
 /// The letters of a side as a word over an alphabet of their own.
 GridSide written(const InputPolygon& side, Word& word) {

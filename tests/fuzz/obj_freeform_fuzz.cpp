@@ -8,18 +8,15 @@
 #include "internode/grammar/intervals/parse.h"
 #include "internode/interval/validity.h"
 #include "internode/io/obj/free_form_input.h"
+#include "tests/fuzz/require.h"
 
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 
 namespace {
 
 using namespace internode;
-
-void require(bool holds) {
-    if (!holds) std::abort();
-}
+using fuzz::require;
 
 const IntervalSystem& halving() {
     static const IntervalSystem system = *validate(*parse_grammar("A -> A A", "halving").grammar).system;

@@ -4,17 +4,15 @@
 
 #include "internode/grammar/intervals/parse.h"
 #include "internode/grammar/intervals/print.h"
+#include "tests/fuzz/require.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string_view>
 
 namespace {
 
-void require(bool truth) {
-    if (!truth) std::abort();
-}
+using internode::fuzz::require;
 
 /// Powers make words of up to 10^7 letters from a few bytes: such are read but not written under the fuzzer's clock.
 constexpr std::size_t written_letters = 100'000;

@@ -6,17 +6,15 @@
 #include "internode/grammar/lexing/grammar_kind.h"
 #include "internode/grammar/points/parse_points.h"
 #include "internode/grammar/points/print_points.h"
+#include "tests/fuzz/require.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string_view>
 
 namespace {
 
-void require(bool truth) {
-    if (!truth) std::abort();
-}
+using internode::fuzz::require;
 
 /// Powers make 10^5 modules from a few bytes: such are read but not written under the fuzzer's clock.
 constexpr std::size_t written_modules = 5'000;

@@ -6,17 +6,14 @@
 #include "internode/input/settled_pyramid.h"
 #include "internode/io/json/pyramid_json.h"
 #include "internode/text/diagnostic.h"
+#include "tests/fuzz/require.h"
 
 #include <cstdint>
-#include <cstdlib>
 
 namespace {
 
 using namespace internode;
-
-void require(bool holds) {
-    if (!holds) std::abort();
-}
+using fuzz::require;
 
 /// Small enough that validity and synthesis take no time to speak of; both have fuzz targets and tests of their own.
 bool is_small(const InputPyramid& pyramid) {

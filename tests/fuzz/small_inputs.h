@@ -8,6 +8,7 @@
 #include "internode/grammar/intervals/parse.h"
 #include "internode/input/settled_curve.h"
 #include "internode/interval/validity.h"
+#include "tests/fuzz/require.h"
 
 #include <array>
 #include <cstdint>
@@ -16,10 +17,6 @@
 #include <vector>
 
 namespace internode::fuzz {
-
-inline void require(bool holds) {
-    if (!holds) std::abort();
-}
 
 /// The text without its last byte, and what that byte says: files that end with a line feed are seeds as they are.
 struct Chosen {

@@ -7,16 +7,18 @@
 
 #include "internode/interval/validity.h"
 #include "internode/spline/window.h"
+#include "tests/fuzz/require.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 #include <string>
 
 using namespace internode;
 
 namespace {
+
+using internode::fuzz::require;
 
 /// Reads numbers from bytes; zeros after the end.
 class Bytes {
@@ -34,10 +36,6 @@ public:
 private:
     std::span<const std::uint8_t> bytes_;
 };
-
-void require(bool condition) {
-    if (!condition) std::abort();
-}
 
 IntervalGrammar read_grammar(Bytes& bytes) {
     IntervalGrammar grammar;

@@ -3,6 +3,7 @@
 // Every error has a code, every code an example that provokes it, and the page shows them all.
 
 #include "tests/fixtures/source_folder.h"
+#include "tests/fixtures/texts.h"
 #include "tests/grammar/error_examples.h"
 
 #include <gmock/gmock.h>
@@ -19,12 +20,8 @@ namespace internode {
 
 namespace {
 
+using tests::content;
 using tests::ErrorExample;
-
-std::string read_file(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// The codes that stand in the sources of the room: literals such as "grammar.no-rule".
 std::set<std::string> codes_in_the_source() {
@@ -33,7 +30,7 @@ std::set<std::string> codes_in_the_source() {
     for (const auto& entry :
          std::filesystem::recursive_directory_iterator(tests::in_source_folder("lib/internode/grammar"))) {
         if (entry.path().extension() != ".cpp") continue;
-        const std::string text = read_file(entry.path());
+        const std::string text = content(entry.path());
         for (auto found = std::sregex_iterator(text.begin(), text.end(), code); found != std::sregex_iterator();
              ++found)
             codes.insert((*found)[1]);
@@ -51,7 +48,7 @@ struct Page {
 };
 
 Page read_page(const std::filesystem::path& path) {
-    const std::string text = read_file(path);
+    const std::string text = content(path);
     const std::size_t begin = text.find(begin_mark);
     const std::size_t end = text.find(end_mark);
     if (begin == std::string::npos || end == std::string::npos) return {text, {}, {}};

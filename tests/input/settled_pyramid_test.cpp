@@ -6,11 +6,10 @@
 
 #include "internode/curve/parameter.h"
 #include "tests/fixtures/source_folder.h"
+#include "tests/fixtures/texts.h"
 #include "tests/input/refusals.h"
 
-#include <fstream>
 #include <gmock/gmock.h>
-#include <sstream>
 
 namespace internode::tests {
 namespace {
@@ -19,16 +18,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 std::string leaf() {
-    std::ifstream file(in_source_folder("data/pyramids/leaf.json"));
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
-std::string changed(std::string text, const std::string& from, const std::string& to) {
-    const auto at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    return at == std::string::npos ? text : text.replace(at, from.size(), to);
+    return content(in_source_folder("data/pyramids/leaf.json"));
 }
 
 Settled<Pyramid> settle(const std::string& text) {

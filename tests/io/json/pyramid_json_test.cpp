@@ -12,15 +12,15 @@
 #include "tests/fixtures/random_curve.h"
 #include "tests/fixtures/source_folder.h"
 #include "tests/fixtures/stride.h"
+#include "tests/fixtures/texts.h"
 
-#include <fstream>
 #include <gmock/gmock.h>
-#include <sstream>
 
 namespace internode {
 namespace {
 
 using ::testing::HasSubstr;
+using tests::changed;
 using tests::Random;
 using tests::random_curve;
 using tests::Shape;
@@ -29,16 +29,7 @@ using tests::system_of;
 const std::size_t stride = tests::stride();
 
 std::string leaf() {
-    std::ifstream file(tests::in_source_folder("data/pyramids/leaf.json"));
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
-std::string changed(std::string text, const std::string& from, const std::string& to) {
-    const auto at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    return at == std::string::npos ? text : text.replace(at, from.size(), to);
+    return tests::content(tests::in_source_folder("data/pyramids/leaf.json"));
 }
 
 /// What is said about a text that is no pyramid.

@@ -5,6 +5,7 @@
 #include "internode/grammar/points/parse_points.h"
 #include "internode/point/start_word.h"
 #include "tests/fixtures/point_systems.h"
+#include "tests/report/picture/trees.h"
 
 #include <gmock/gmock.h>
 
@@ -16,20 +17,8 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
+using testing_report::tree_of;
 using tests::point_system;
-
-/// The tree of so many steps from the axiom.
-DerivationTree tree_of(const PointSystem& system, std::size_t steps) {
-    DerivationTree tree{.title = "t", .generator = {"0.1.0", "internode"}};
-    tree.words.push_back(axiom_word(system));
-    tree.row_names.emplace_back("axiom");
-    for (std::size_t step = 0; step < steps; ++step) {
-        const Derivation next = derive_step(system, tree.words.back(), step, {}, tree.steps.emplace_back());
-        tree.words.push_back(next.word);
-        tree.row_names.emplace_back("step");
-    }
-    return tree;
-}
 
 std::size_t occurrences(const std::string& text, const std::string& what) {
     const std::regex pattern(what);

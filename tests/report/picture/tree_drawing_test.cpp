@@ -5,28 +5,18 @@
 #include "internode/report/picture/derivation_tree.h"
 #include "tests/fixtures/point_systems.h"
 #include "tests/report/picture/drawn_points.h"
+#include "tests/report/picture/trees.h"
 
 namespace internode {
 namespace {
 
+using testing_report::tree_of;
 using tests::DrawnShape;
 using tests::point_system;
 using tests::Spot;
 
 constexpr double mark_radius = 6.5;
 constexpr double mark_gap = 3; // between a mark and its arrows
-
-DerivationTree tree_of(const PointSystem& system, std::size_t steps) {
-    DerivationTree tree{.title = "t", .generator = {"0", "internode"}};
-    tree.words.push_back(axiom_word(system));
-    tree.row_names.emplace_back("axiom");
-    for (std::size_t step = 0; step < steps; ++step) {
-        const Derivation next = derive_step(system, tree.words.back(), step, {}, tree.steps.emplace_back());
-        tree.words.push_back(next.word);
-        tree.row_names.emplace_back("step");
-    }
-    return tree;
-}
 
 /// The marks of every word: grammars here have points only, and each module is a circle.
 std::vector<std::vector<Spot>> marks_of(const std::vector<DrawnShape>& shapes, const DerivationTree& tree) {
