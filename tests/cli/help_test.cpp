@@ -38,6 +38,13 @@ TEST(Help, OpensWithTwoExamplesThatRun) {
     }
 }
 
+TEST(Help, OfSubdivideGroupsItsOptionsByKind) {
+    const std::string help = Workspace().run({"subdivide", "--help"}).out;
+    EXPECT_THAT(help, HasSubstr("bundled one, or - (left out with -e)"));
+    for (const char* heading : {"Interval grammars and grids:", "Interval grammars:", "Grids:", "Point grammars:"})
+        EXPECT_THAT(help, HasSubstr("\n" + std::string(heading) + "\n"));
+}
+
 TEST(Help, OfTheProgramNamesEveryCommand) {
     const Workspace here;
     for (const Outcome& help : {here.run({"--help"}), here.run({})}) {

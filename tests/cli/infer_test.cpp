@@ -43,6 +43,7 @@ TEST(Infer, OpenCurvesHaveTwoForms) {
     const Outcome ordered = here.run({"infer", "data/matrices/chaikin-open.csv", "--open", "--name", "s0/34-36"});
     EXPECT_EQ(ordered.code, 0) << ordered.err;
     EXPECT_THAT(ordered.out, HasSubstr("right for 4 points or more"));
+    EXPECT_THAT(ordered.out, HasSubstr("// regular from row 3 to row 10\n"));
     EXPECT_THAT(ordered.out, HasSubstr("//   # -> #\n"));
     EXPECT_THAT(ordered.out, EndsWith("\nP(v_l) < P(v) > P(v_r) -> P(1/4 v_l + 3/4 v) P(3/4 v + 1/4 v_r)\n"));
     const Outcome full =
@@ -68,6 +69,9 @@ TEST(Infer, ReportsDotsAndIrregularRows) {
     const Outcome irregular = here.run({"infer", "-"}, "1 0 0\n1 0 0\n0 1 0\n0 1 0\n0 0 1\n0 1/2 1/2\n");
     EXPECT_EQ(irregular.code, 3);
     EXPECT_THAT(irregular.err, HasSubstr("row 6 breaks the pattern of row 2"));
+    EXPECT_THAT(here.run({"infer", "-"}, "1 0 0 0\n0 1 0 0\n0 0 1/2 1/2\n1/2 0 0 1/2\n").err,
+                HasSubstr("row 1 breaks the pattern of row 3"))
+        << "of two patterns with as many rows, the first in the order of weights";
     EXPECT_THAT(here.run({"infer", "-"}, "1 0 0\n1/2 0 0\n0 1 0\n0 1/2 0\n0 0 1\n0 0 1/2\n").out,
                 HasSubstr("// not affine: the weights of rows 2, 4, 6 do not sum to 1\n"));
 }

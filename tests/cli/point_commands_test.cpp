@@ -246,6 +246,8 @@ TEST_F(PointCommands, PolygonsAndWordsMustAgree) {
     refuses({"@s0/13", "nowhere.csv", "-n", "1"}, 4, "nowhere.csv");
     here.file("closed.csv", "0,0\n1,0\n1,1\n0,0\n");
     refuses({"@s0/13", "closed.csv", "-n", "1"}, 3, "repeats the first");
+    here.file("pair.csv", "0,0\n0,0\n");
+    refuses({"@s0/13", "pair.csv", "-n", "1"}, 3, "the last of the 2 points of pair.csv repeats the first");
     EXPECT_EQ(run({"@s0/34-36", "closed.csv", "-n", "1"}).code, 0);
     here.file("ring.json", R"({"points": [[0,0],[1,0],[1,1],[0,1]], "closed": true})");
     EXPECT_EQ(run({"@s0/13", "ring.json", "-n", "1"}).code, 0);

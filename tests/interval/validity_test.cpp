@@ -319,5 +319,15 @@ TEST(Validity, TenThousandSymbolsAreNoTrouble) {
     EXPECT_EQ(validate(slow_growth(n)).decision, Decision::Valid) << "one class: a ratio near 1 needs no number";
 }
 
+// A starts the cycle A, B, A, …: C comes in the steps 0, 2, 4, … and has 1/2 + 1/8 + … = 2/3 of all intervals in the
+// end.
+TEST(Validity, FrequenciesOfSeveralFinalClassesCountWhatArrivesFromAnyClass) {
+    IntervalGrammar grammar = with_axiom(make_grammar({{"A", "B C"}, {"B", "A D"}, {"C", "C C"}, {"D", "D D"}}), "A");
+    grammar = with_length(with_length(std::move(grammar), "C", 1), "D", 1);
+    const Verdict verdict = validate(grammar);
+    EXPECT_THAT(exact(verdict.frequencies),
+                ElementsAre(Number(0), Number(0), Number(Rational(2, 3)), Number(Rational(1, 3))));
+}
+
 } // namespace
 } // namespace internode

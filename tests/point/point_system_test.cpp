@@ -143,6 +143,9 @@ TEST(PointSystem, RefusesFunctionsThatExplode) {
                                             "written out | a function that calls another twice doubles its work")));
     EXPECT_THAT(problems_of(doubling_functions(16) + "a = f16(1)\n P(v) -> P(a v)\n"),
                 ElementsAre(HasSubstr("`a` takes more than 100000 operations")));
+    EXPECT_THAT(problems_of(doubling_functions(13) + "a = f13(1)\n b = f13(2)\n P(v) -> P(a b v)\n"),
+                ElementsAre(HasSubstr("`b` takes more than 100000 operations")))
+        << "the work of all constants counts";
     EXPECT_THAT(problems_of(doubling_functions(12) + "a = f12(1)\n P(v) -> P(f12(a) v)\n"), IsEmpty());
 }
 

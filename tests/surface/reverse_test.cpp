@@ -96,6 +96,9 @@ TEST(GridReverse, RefusesOtherSizes) {
     hierarchy.levels_v = 2;
     points.pop_back();
     EXPECT_THROW((void)recomposed(hierarchy, 1, points), std::invalid_argument);
+    std::vector<double> one_more = random_points(random, hierarchy, 2);
+    one_more.push_back(0);
+    EXPECT_THROW((void)recomposed(hierarchy, 2, one_more), std::invalid_argument);
 }
 
 } // namespace

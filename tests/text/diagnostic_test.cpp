@@ -104,6 +104,7 @@ TEST(DidYouMean, FindsTheNearestName) {
     EXPECT_EQ(did_you_mean("rings", names), "ring");
     EXPECT_EQ(did_you_mean("rnig", names), "ring");
     EXPECT_EQ(did_you_mean("table", names), "");
+    EXPECT_EQ(did_you_mean("rixx", names), "") << "two replaced letters are no swap";
     EXPECT_EQ(did_you_mean("", names), "");
     EXPECT_EQ(did_you_mean("x", {"y"}), "");
     EXPECT_EQ(did_you_mean("x", {"X", "y"}), "X");

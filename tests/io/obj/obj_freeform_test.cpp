@@ -224,6 +224,7 @@ TEST(ObjFreeform, GivesOneErrorForOneMistake) {
     const ParsedFreeForms parsed =
         read_obj_freeform(head + "curv 0 1 1 9\nparm u 0 0 1 1\nend\ncurv 0 1 1 2\nparm u 0 0 1 1\nend\n", "f.obj");
     EXPECT_THAT(parsed.errors, SizeIs(1));
+    EXPECT_THAT(read_obj_freeform(four_vertices + "cstype bezier\ncurv 0 1 7 8\nend\n", "f.obj").errors, SizeIs(1));
     std::string many = head;
     for (int i = 0; i < 1000; ++i) many += "curv 0 1 1 9\nend\n";
     EXPECT_THAT(read_obj_freeform(many, "f.obj").errors, SizeIs(max_polygon_errors));

@@ -87,5 +87,12 @@ TEST(ObjPolylines, AreRefusedWithTheirPlace) {
                 HasSubstr("more than 2 vertices"));
 }
 
+TEST(ObjPolylines, GiveOneErrorForOneMistakeWithItsHint) {
+    const std::vector<Diagnostic> errors = read_obj_polylines(square + "l 1\nl 9\nl 1 2\n", "l.obj").errors;
+    ASSERT_THAT(errors, testing::SizeIs(2));
+    EXPECT_EQ(errors[0].hint, "");
+    EXPECT_EQ(errors[1].hint, "indices count from 1, or from -1 backwards");
+}
+
 } // namespace
 } // namespace internode

@@ -194,6 +194,22 @@ TEST(LevelsDrawing, SeveralPolygonsStandTogetherEachWithItsStrandsOrItsLines) {
     EXPECT_EQ(panel.back().text, "level 0: 15 points, 1 edge in 4 parts");
 }
 
+TEST(LevelsDrawing, DotsEndWhereTheyWouldHideTheLines) {
+    for (const std::size_t count : {600U, 601U}) {
+        std::vector<double> points;
+        for (std::size_t i = 0; i < count; ++i) {
+            points.push_back(static_cast<double>(i));
+            points.push_back(static_cast<double>(i % 7));
+        }
+        LevelsPicture picture;
+        picture.levels.push_back(level(0, points, false));
+        std::size_t dots = 0;
+        for (const DrawnShape& shape : shapes_in(drawn(picture), id_of(0)))
+            if (!shape.runs.empty() && shape.runs.front().commands == "h") dots += dots_of(shape).size();
+        EXPECT_EQ(dots, count == 600 ? count : 0U);
+    }
+}
+
 TEST(LevelsDrawing, RefusesNumbersBesidePoints) {
     LevelsPicture picture;
     picture.levels = {level(0, house)};
