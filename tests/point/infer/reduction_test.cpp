@@ -37,6 +37,9 @@ TEST(Reduction, EndsWithItsProblem) {
 TEST(Reduction, EndsWhereNoPointIsLeft) {
     const PointSystem system = point_system("points\nring\nP(u) P(v) -> E\nE -> E\n", on_a_line);
     EXPECT_THAT(reduced(system, std::vector<double>{0, 2, 4, 6}, 5, 0).polygons, ElementsAre(IsEmpty()));
+    const PointSystem later = point_system("points\nring\nP(u) P(v) -> Q(u)\nQ(u) Q(v) -> E\nE -> E\n", on_a_line);
+    EXPECT_THAT(reduced(later, std::vector<double>{0, 2, 4, 6}, 5, 0).polygons,
+                ElementsAre(ElementsAre(0, 4), IsEmpty()));
 }
 
 TEST(Reduction, TellsHowManyBecomeOne) {
