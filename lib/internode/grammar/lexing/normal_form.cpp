@@ -13,7 +13,7 @@ namespace internode {
 void check_normal_form(std::string_view printed, Complaints& complaints) {
     std::size_t longest = 0;
     for (std::size_t start = 0; start < printed.size();) {
-        const std::size_t end = printed.find('\n', start);
+        const std::size_t end = std::min(printed.find('\n', start), printed.size());
         longest = std::max(longest, end - start);
         start = end + 1;
     }
