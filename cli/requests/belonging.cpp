@@ -5,6 +5,7 @@
 
 #include "cli/requests/belonging.h"
 
+#include "cli/requests/contains.h"
 #include "cli/requests/exit_code.h"
 #include "cli/requests/formats.h"
 
@@ -28,10 +29,6 @@ constexpr std::array<KindRow, 3> kinds{{
     {Kind::Points, "point grammars"},
     {Kind::Grids, "grids"},
 }};
-
-bool contains(const auto& list, const auto& wanted) {
-    return std::ranges::find(list, wanted) != list.end();
-}
 
 bool holds_for(const Place& place, Kind kind) {
     return place.kinds.empty() || contains(place.kinds, kind);

@@ -2,6 +2,7 @@
 
 #include "cli/requests/formats.h"
 
+#include "cli/requests/contains.h"
 #include "cli/requests/exit_code.h"
 
 #include <fmt/format.h>
@@ -84,10 +85,6 @@ std::string format_of(const std::string& written) {
         if (!written.empty() && std::ranges::find(format.extensions, written) != format.extensions.end())
             return std::string(format.name);
     return written;
-}
-
-bool contains(const std::vector<std::string>& names, std::string_view name) {
-    return std::ranges::find(names, name) != names.end();
 }
 
 const FormatUse& row_of(const OutputOf& output) {

@@ -6,6 +6,7 @@
 #include "internode/algebra/rational.h"
 
 #include "internode/algebra/fraction.h"
+#include "internode/text/ascii.h"
 
 #include <algorithm>
 #include <cassert>
@@ -21,13 +22,9 @@ namespace {
 constexpr int mantissa_bits = std::numeric_limits<double>::digits;
 constexpr long lowest_exponent = std::numeric_limits<double>::min_exponent - mantissa_bits; // 2^-1074 is the least
 
-bool is_digit(char character) {
-    return character >= '0' && character <= '9';
-}
-
 /// Takes the digits at the front of a text.
 std::string_view take_digits(std::string_view& text) {
-    const auto end = std::find_if_not(text.begin(), text.end(), is_digit);
+    const auto end = std::find_if_not(text.begin(), text.end(), is_ascii_digit);
     const std::string_view digits = text.substr(0, static_cast<std::size_t>(end - text.begin()));
     text.remove_prefix(digits.size());
     return digits;
@@ -40,7 +37,7 @@ bool take(std::string_view& text, char character) {
 }
 
 Integer to_integer(std::string_view digits) {
-    assert(std::ranges::all_of(digits, is_digit));
+    assert(std::ranges::all_of(digits, is_ascii_digit));
     return digits.empty() ? Integer(0) : Integer(std::string(digits), 10);
 }
 

@@ -22,7 +22,7 @@ namespace {
 
 using Problems = std::vector<std::string>;
 
-constexpr std::size_t listed = 5; // problems of a kind: enough to see a pattern
+constexpr std::size_t listed_problems = 5; // problems of a kind: enough to see a pattern
 
 std::size_t degree_of(const KnotVector& vector) {
     return static_cast<std::size_t>(vector.degree);
@@ -52,7 +52,7 @@ Problems count_problems(const KnotVector& vector) {
 
 Problems order_problems(const IntervalSystem& system, const KnotVector& vector) {
     Problems problems;
-    for (std::size_t i = 1; i < vector.knots.size() && problems.size() < listed; ++i)
+    for (std::size_t i = 1; i < vector.knots.size() && problems.size() < listed_problems; ++i)
         if (vector.knots[i] < vector.knots[i - 1])
             problems.push_back(fmt::format("knot {} is {}, less than knot {}, which is {}: knots must not decrease",
                                            i + 1, exact_text(vector.knots[i], system), i,
@@ -89,7 +89,7 @@ Problems multiplicity_problems(const IntervalSystem& system, const KnotVector& v
         std::size_t multiplicity = run.last - run.first + 1;
         if (closed && run.first == 0) continue; // the last knot is the first again: counted there
         if (closed && ends_it) multiplicity += all.front().last;
-        if (multiplicity <= (ends_it ? at_end : d) || problems.size() == listed) continue;
+        if (multiplicity <= (ends_it ? at_end : d) || problems.size() == listed_problems) continue;
         problems.push_back(
             fmt::format("knot {} (knots {} to {}) has multiplicity {}: at most {} {} a curve of degree {}",
                         exact_text(vector.knots[run.first], system), run.first + 1, run.last + 1, multiplicity,
@@ -172,7 +172,7 @@ FittedKnots labelled(const IntervalSystem& system, const KnotVector& vector, con
         const std::vector<Symbol>& symbols = table.symbols(lengths[i]);
         if (symbols.size() == 1) {
             word.push_back(symbols.front());
-        } else if (refused.size() < listed && refused.try_emplace(lengths[i], zero_interval).second) {
+        } else if (refused.size() < listed_problems && refused.try_emplace(lengths[i], zero_interval).second) {
             const std::size_t knot = i + (is_short(vector) ? 0 : 1);
             result.problems.push_back(fmt::format("the interval from knot {} to knot {} is {}: {}", knot, knot + 1,
                                                   exact_text(lengths[i], system), table.complaint(lengths[i])));

@@ -67,19 +67,19 @@ std::vector<std::string> origin_problems(const KnotsData& data) {
                         largest_origin)};
 }
 
-struct Run {
+struct ZeroRun {
     std::size_t first = 0; ///< 0-based
     std::size_t length = 0;
 };
 
 /// The longest run of `0`; across the seam when circular, where the word is not all zeros.
-Run longest_zero_run(WordView word, Ends ends) {
+ZeroRun longest_zero_run(WordView word, Ends ends) {
     const std::size_t size = word.size();
     std::size_t start = 0;
     if (ends == Ends::Circular)
         while (word[start] == zero_interval) ++start;
-    Run longest;
-    Run run;
+    ZeroRun longest;
+    ZeroRun run;
     for (std::size_t k = 0; k < size; ++k) {
         const std::size_t i = (start + k) % size;
         if (word[i] != zero_interval) {
@@ -109,7 +109,7 @@ std::vector<std::string> zero_problems(const KnotsData& data) {
                                            "the word, its last, is `0`",
                                            last + 1));
     }
-    const Run run = longest_zero_run(data.word, data.ends);
+    const ZeroRun run = longest_zero_run(data.word, data.ends);
     if (run.length > degree)
         problems.push_back(fmt::format("{} zeros in a row from letter {} of the word: at most {} fit a curve of degree "
                                        "{}, and {} already break it",

@@ -18,8 +18,8 @@ namespace internode {
 
 namespace {
 
-constexpr std::size_t listed = 8;        // symbols named in a message
-constexpr std::size_t longest_text = 40; // of an exact number in a message
+constexpr std::size_t listed_symbols = 8; // symbols named in a message
+constexpr std::size_t longest_text = 40;  // of an exact number in a message
 
 using Classes = std::set<std::uint32_t>;
 
@@ -61,9 +61,9 @@ std::string lengths_text(const IntervalSystem& system) {
     std::vector<std::string> texts;
     std::size_t count = 0;
     for (std::size_t i = 0; i < system.alphabet().size(); ++i)
-        if (system.occurs(to_symbol(i)) && ++count <= listed)
+        if (system.occurs(to_symbol(i)) && ++count <= listed_symbols)
             texts.push_back(length_text(system, to_symbol(i), system.lengths()[i]));
-    if (count > listed) texts.emplace_back("…");
+    if (count > listed_symbols) texts.emplace_back("…");
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 
@@ -110,9 +110,9 @@ std::vector<Number> fitting_scales(const OpenScale& scale) {
 
 std::string unfit(const IntervalSystem& system, const OpenScale& scale) {
     std::vector<std::string> texts;
-    for (std::size_t i = 0; i < std::min(listed, scale.wanted.size()); ++i)
+    for (std::size_t i = 0; i < std::min(listed_symbols, scale.wanted.size()); ++i)
         texts.push_back(exact_text(scale.wanted[i], system));
-    if (scale.wanted.size() > listed) texts.emplace_back("…");
+    if (scale.wanted.size() > listed_symbols) texts.emplace_back("…");
     return fmt::format("the intervals {} are not lengths of the grammar at any scale: {}", fmt::join(texts, ", "),
                        lengths_text(system));
 }
@@ -120,7 +120,7 @@ std::string unfit(const IntervalSystem& system, const OpenScale& scale) {
 std::string ambiguous(const IntervalSystem& system, const OpenScale& scale, const std::vector<Number>& fitting) {
     const Symbol symbol = scale.symbols.front();
     std::vector<std::string> texts;
-    for (std::size_t i = 0; i < std::min(listed, fitting.size()); ++i)
+    for (std::size_t i = 0; i < std::min(listed_symbols, fitting.size()); ++i)
         texts.push_back(length_text(system, symbol, system.length(symbol) * fitting[i]));
     return fmt::format("the intervals fit the grammar at {} scales ({}): say a length", fitting.size(),
                        fmt::join(texts, ", or "));
@@ -142,7 +142,7 @@ ScaledSystem fit_scale(const IntervalSystem& system, const std::vector<Number>& 
     if (open.size() > 1) {
         std::vector<std::string> names;
         for (const std::uint32_t index : open)
-            if (names.size() < listed)
+            if (names.size() < listed_symbols)
                 names.push_back(system.alphabet().name(to_symbol(graph.classes[index].members.front())));
         return {std::nullopt, fmt::format("the lengths of {} are free of each other: say all of them but one",
                                           fmt::join(names, ", "))};

@@ -27,7 +27,7 @@ Word candidates(const Morphism& rules) {
 }
 
 /// The word w with σ(w) = fine.
-std::optional<Word> cut(const Morphism& rules, WordView fine) {
+std::optional<Word> preimage(const Morphism& rules, WordView fine) {
     const Word symbols = candidates(rules);
     std::vector<std::optional<Symbol>> begins(fine.size() + 1);
     const auto ends_well = [&](std::size_t place) { return place == fine.size() || begins[place].has_value(); };
@@ -79,7 +79,7 @@ Morphism mirrored(const Morphism& rules) {
 }
 
 std::optional<Word> open_word(const Morphism& rules, WordView fine, std::size_t d) {
-    const std::optional<Word> domain = cut(rules, fine.subspan(d, fine.size() - 2 * d));
+    const std::optional<Word> domain = preimage(rules, fine.subspan(d, fine.size() - 2 * d));
     Word before(fine.begin(), fine.begin() + static_cast<std::ptrdiff_t>(d));
     std::ranges::reverse(before);
     std::optional<Word> left = cut_prefix(mirrored(rules), before, d);
@@ -96,7 +96,7 @@ std::optional<Word> open_word(const Morphism& rules, WordView fine, std::size_t 
 std::optional<Word> coarser_word(const Morphism& rules, WordView fine, int degree, Ends ends) {
     assert(degree >= 1);
     const auto d = static_cast<std::size_t>(degree);
-    if (ends == Ends::Circular) return cut(rules, fine);
+    if (ends == Ends::Circular) return preimage(rules, fine);
     assert(fine.size() > 2 * d);
     std::optional<Word> word = open_word(rules, fine, d);
     if (word && !std::ranges::equal(refined_word(rules, *word, degree, ends), fine)) return std::nullopt;

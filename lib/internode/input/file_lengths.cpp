@@ -5,6 +5,7 @@
 #include "internode/curve/parameter.h"
 #include "internode/grammar/lexing/limits.h"
 #include "internode/input/refuse.h"
+#include "internode/text/ascii.h"
 #include "internode/text/did_you_mean.h"
 #include "internode/text/number.h"
 
@@ -102,9 +103,8 @@ bool agrees(const Number& exact, double position, double largest) {
 } // namespace
 
 bool is_symbol_name(const std::string& name) {
-    const auto is_letter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); };
-    const auto follows = [](char c) { return (c >= '0' && c <= '9') || c == '_' || c == '\''; };
-    return !name.empty() && name.size() <= max_name_bytes && is_letter(name.front()) &&
+    const auto follows = [](char c) { return is_ascii_digit(c) || c == '_' || c == '\''; };
+    return !name.empty() && name.size() <= max_name_bytes && is_ascii_letter(name.front()) &&
            std::all_of(name.begin() + 1, name.end(), follows);
 }
 

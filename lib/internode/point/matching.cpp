@@ -13,11 +13,11 @@ namespace internode {
 
 namespace {
 
-constexpr std::size_t none = static_cast<std::size_t>(-1);
+constexpr std::size_t no_module = static_cast<std::size_t>(-1);
 
-/// The partner of each bracket; none for unbalanced ones and for all other modules.
+/// The partner of each bracket; no_module for unbalanced ones and for all other modules.
 std::vector<std::size_t> partners(std::span<const Symbol> letters, Symbol open, Symbol close) {
-    std::vector<std::size_t> partner(letters.size(), none);
+    std::vector<std::size_t> partner(letters.size(), no_module);
     std::vector<std::size_t> waiting;
     for (std::size_t i = 0; i < letters.size(); ++i) {
         if (letters[i] == open) {
@@ -43,7 +43,7 @@ public:
         neighbours_[i] = last_;
         if (enters) {
             stems_.push_back(last_);
-            if (!branch_continues_) last_ = none;
+            if (!branch_continues_) last_ = no_module;
         } else if (leaves) {
             assert(!stems_.empty() && "a branch that is left was entered");
             last_ = stems_.back();
@@ -56,7 +56,7 @@ public:
 private:
     std::vector<std::size_t>& neighbours_;
     bool branch_continues_;
-    std::size_t last_ = none;
+    std::size_t last_ = no_module;
     std::vector<std::size_t> stems_;
 };
 
@@ -69,29 +69,31 @@ WordShape::WordShape(std::span<const Symbol> letters, const PointGrammar& gramma
     const std::optional<Symbol> close = branch_close(grammar);
     if (!open || !close || std::ranges::find(letters_, *open) == letters_.end()) return;
     const std::vector<std::size_t> partner = partners(letters_, *open, *close);
-    before_.assign(letters_.size(), none);
-    after_.assign(letters_.size(), none);
+    before_.assign(letters_.size(), no_module);
+    after_.assign(letters_.size(), no_module);
     AxisWalk forth(before_, true);
     AxisWalk back(after_, false);
     // A ring is walked twice: the second time with the module that the first one ended at.
     for (int round = 0; round < (ring_ ? 2 : 1); ++round) {
         for (std::size_t i = 0; i < letters_.size(); ++i)
-            forth.visit(i, partner[i] != none && letters_[i] == *open, partner[i] != none && letters_[i] == *close);
+            forth.visit(i, partner[i] != no_module && letters_[i] == *open,
+                        partner[i] != no_module && letters_[i] == *close);
         for (std::size_t i = letters_.size(); i-- > 0;)
-            back.visit(i, partner[i] != none && letters_[i] == *close, partner[i] != none && letters_[i] == *open);
+            back.visit(i, partner[i] != no_module && letters_[i] == *close,
+                       partner[i] != no_module && letters_[i] == *open);
     }
 }
 
 std::optional<std::size_t> WordShape::before(std::size_t i) const {
     assert(i < letters_.size());
-    if (!before_.empty()) return before_[i] == none ? std::nullopt : std::optional(before_[i]);
+    if (!before_.empty()) return before_[i] == no_module ? std::nullopt : std::optional(before_[i]);
     if (i > 0) return i - 1;
     return ring_ ? std::optional(letters_.size() - 1) : std::nullopt;
 }
 
 std::optional<std::size_t> WordShape::after(std::size_t i) const {
     assert(i < letters_.size());
-    if (!after_.empty()) return after_[i] == none ? std::nullopt : std::optional(after_[i]);
+    if (!after_.empty()) return after_[i] == no_module ? std::nullopt : std::optional(after_[i]);
     if (i + 1 < letters_.size()) return i + 1;
     return ring_ ? std::optional<std::size_t>(0) : std::nullopt;
 }

@@ -2,6 +2,8 @@
 
 #include "internode/text/number.h"
 
+#include "internode/text/ascii.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -15,16 +17,12 @@ namespace internode {
 
 namespace {
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 /// The exponent after `e` or `E`, cut at ±10^9: beyond that only its sign matters, as no text is that long.
 std::int64_t clamped_exponent(std::string_view text) {
     const bool negative = text.starts_with('-');
     if (negative || text.starts_with('+')) text.remove_prefix(1);
     std::int64_t value = 0;
-    assert(std::ranges::all_of(text, is_digit));
+    assert(std::ranges::all_of(text, is_ascii_digit));
     for (const char c : text) value = std::min<std::int64_t>(10 * value + (c - '0'), 1'000'000'000);
     return negative ? -value : value;
 }
@@ -46,7 +44,7 @@ bool underflows(std::string_view text) {
 std::optional<double> parse_double(std::string_view text) {
     const bool negative = text.starts_with('-');
     if (negative || text.starts_with('+')) text.remove_prefix(1);
-    if (text.empty() || !(is_digit(text.front()) || text.front() == '.')) return std::nullopt;
+    if (text.empty() || !(is_ascii_digit(text.front()) || text.front() == '.')) return std::nullopt;
     double value = 0;
     const char* const end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, value);

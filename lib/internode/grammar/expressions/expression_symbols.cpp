@@ -40,9 +40,6 @@ const Symbols* find_symbols(Operation operation) {
     return found == symbols.end() ? nullptr : found;
 }
 
-/// The strength of names, literals and parentheses: nothing tears them apart.
-constexpr int primary = 8;
-
 struct Sign {
     std::string_view text;
     Operation operation;
@@ -83,12 +80,12 @@ constexpr std::array<Remedy, 7> remedies{{{"^", "write `x x`, or `x * x`"},
 
 int precedence(Operation operation) {
     const Symbols* found = find_symbols(operation);
-    return found == nullptr ? primary : found->precedence;
+    return found == nullptr ? primary_precedence : found->precedence;
 }
 
 std::optional<Operation> builtin_function(std::string_view name) {
     const auto* found = std::ranges::find(symbols, name, &Symbols::printed);
-    if (found == symbols.end() || found->precedence != primary) return std::nullopt;
+    if (found == symbols.end() || found->precedence != primary_precedence) return std::nullopt;
     return found->operation;
 }
 

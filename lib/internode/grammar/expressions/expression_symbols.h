@@ -13,6 +13,9 @@
 
 namespace internode {
 
+/// Of names, literals, calls and parentheses: nothing tears them apart.
+inline constexpr int primary_precedence = 8;
+
 /// From 1, `or`, to 7, the unary minus.
 [[nodiscard]] int precedence(Operation operation);
 

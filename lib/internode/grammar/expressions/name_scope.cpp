@@ -2,6 +2,8 @@
 
 #include "internode/grammar/expressions/name_scope.h"
 
+#include "internode/text/ascii.h"
+
 #include <algorithm>
 #include <cassert>
 
@@ -53,7 +55,7 @@ NameMeaning NameScope::find(std::string_view name) {
 }
 
 bool is_name(std::string_view run) {
-    return !run.empty() && ((run.front() >= 'a' && run.front() <= 'z') || (run.front() >= 'A' && run.front() <= 'Z'));
+    return !run.empty() && is_ascii_letter(run.front());
 }
 
 const std::vector<std::string>& expression_words() {

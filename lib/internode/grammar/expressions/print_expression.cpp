@@ -17,12 +17,9 @@ namespace internode {
 
 namespace {
 
-/// Strength of what is never put in parentheses.
-constexpr int primary = 8;
-
 struct Printed {
     std::string text;
-    int strength = primary;
+    int strength = primary_precedence;
     std::optional<Operation> last; ///< the outermost operation, where it is not in parentheses
     std::size_t literal_tail = 0;  ///< bytes of an integer at the end of a product
     bool fraction = false;         ///< a literal with a denominator, perhaps with a sign before it
@@ -93,7 +90,9 @@ private:
         }
     }
 
-    void push_primary(std::string text) { stack_.push_back({std::move(text), primary, std::nullopt, 0, false}); }
+    void push_primary(std::string text) {
+        stack_.push_back({std::move(text), primary_precedence, std::nullopt, 0, false});
+    }
 
     void push_number(const Rational& value) {
         push_primary(to_string(value));
@@ -131,12 +130,12 @@ private:
         else
             first.text = std::string(sign_of(operation)) + '(' + first.text + ',';
         first.text += ' ' + second.text + ')';
-        stack_.push_back({std::move(first.text), primary, operation, 0, false});
+        stack_.push_back({std::move(first.text), primary_precedence, operation, 0, false});
     }
 
     void push_coordinate(std::size_t index) {
         assert(index < 4);
-        std::string text = at_least(primary, pop());
+        std::string text = at_least(primary_precedence, pop());
         text += '.';
         text += "xyzw"[index];
         push_primary(std::move(text));

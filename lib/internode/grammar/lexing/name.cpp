@@ -2,6 +2,7 @@
 
 #include "internode/grammar/lexing/name.h"
 
+#include "internode/text/ascii.h"
 #include "internode/text/utf8.h"
 
 #include <algorithm>
@@ -14,13 +15,9 @@ namespace {
 
 constexpr char32_t replacement = 0xFFFD;
 
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
 bool is_plain_name(std::string_view text) {
-    const auto is_inner = [](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '\''; };
-    return !text.empty() && is_letter(text.front()) && std::ranges::all_of(text, is_inner);
+    const auto is_inner = [](char c) { return is_ascii_letter(c) || is_ascii_digit(c) || c == '_' || c == '\''; };
+    return !text.empty() && is_ascii_letter(text.front()) && std::ranges::all_of(text, is_inner);
 }
 
 bool may_stand_in_a_name(char32_t value) {
@@ -29,7 +26,7 @@ bool may_stand_in_a_name(char32_t value) {
 }
 
 int hexadecimal_value(char c) {
-    if (c >= '0' && c <= '9') return c - '0';
+    if (is_ascii_digit(c)) return c - '0';
     if (c >= 'a' && c <= 'f') return c - 'a' + 10;
     if (c >= 'A' && c <= 'F') return c - 'A' + 10;
     return -1;

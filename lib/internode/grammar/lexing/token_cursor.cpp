@@ -2,6 +2,8 @@
 
 #include "internode/grammar/lexing/token_cursor.h"
 
+#include "internode/text/ascii.h"
+
 #include <algorithm>
 
 namespace internode {
@@ -9,7 +11,7 @@ namespace internode {
 namespace {
 
 std::size_t count_digits(std::string_view run) {
-    const auto other = std::ranges::find_if_not(run, [](char c) { return c >= '0' && c <= '9'; });
+    const auto other = std::ranges::find_if_not(run, is_ascii_digit);
     return static_cast<std::size_t>(other - run.begin());
 }
 

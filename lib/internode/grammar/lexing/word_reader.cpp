@@ -3,6 +3,7 @@
 #include "internode/grammar/lexing/word_reader.h"
 
 #include "internode/grammar/lexing/limits.h"
+#include "internode/text/ascii.h"
 
 #include <algorithm>
 #include <cassert>
@@ -13,13 +14,6 @@
 namespace internode {
 
 namespace {
-
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 class WordReader {
 public:
@@ -130,8 +124,8 @@ private:
     }
 
     void refuse_run(std::string_view run) {
-        if (is_digit(run.front())) {
-            const auto other = std::ranges::find_if_not(run, is_digit);
+        if (is_ascii_digit(run.front())) {
+            const auto other = std::ranges::find_if_not(run, is_ascii_digit);
             const std::string_view digits = run.substr(0, static_cast<std::size_t>(other - run.begin()));
             stop("word.number", {place(), digits.size()}, fmt::format("{} is no letter of a word", quoted(digits)),
                  fmt::format("to repeat a letter write `L^{}`; `0` is the interval of length zero",
@@ -182,12 +176,13 @@ private:
         if (!at_mark('^')) return;
         const Complaints::Place caret{place(), 1};
         next_token();
-        if (index_ >= tokens_.size() || token().kind != TokenKind::Run || !is_digit(context_.text[token().begin])) {
+        if (index_ >= tokens_.size() || token().kind != TokenKind::Run ||
+            !is_ascii_digit(context_.text[token().begin])) {
             stop("word.power-without-count", caret, "`^` without a count", "write `L^3` or `(L S)^3`");
             return;
         }
         const std::string_view run = text_of(token(), context_.text);
-        const auto other = std::ranges::find_if_not(run, is_digit);
+        const auto other = std::ranges::find_if_not(run, is_ascii_digit);
         const std::string_view digits = run.substr(0, static_cast<std::size_t>(other - run.begin()));
         repeat(start, digits);
         if (stopped_) return;
@@ -302,9 +297,10 @@ std::optional<Symbol> SymbolTable::find(std::string_view name) const {
 }
 
 std::size_t symbol_length(std::string_view run) {
-    if (run.empty() || !is_letter(run.front())) return 0;
+    if (run.empty() || !is_ascii_letter(run.front())) return 0;
     const auto tail = run.substr(1);
-    const auto other = std::ranges::find_if_not(tail, [](char c) { return is_digit(c) || c == '_' || c == '\''; });
+    const auto other =
+        std::ranges::find_if_not(tail, [](char c) { return is_ascii_digit(c) || c == '_' || c == '\''; });
     return 1 + static_cast<std::size_t>(other - tail.begin());
 }
 

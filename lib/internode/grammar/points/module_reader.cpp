@@ -5,6 +5,7 @@
 #include "internode/grammar/lexing/limits.h"
 #include "internode/grammar/lexing/token_cursor.h"
 #include "internode/grammar/lexing/word_reader.h"
+#include "internode/text/ascii.h"
 #include "internode/text/diagnostic.h"
 #include "internode/text/did_you_mean.h"
 
@@ -184,7 +185,7 @@ private:
         const Place caret = cursor_.place();
         cursor_.next();
         const std::string_view run = cursor_.is_run() ? cursor_.rest() : std::string_view();
-        const auto other = std::ranges::find_if_not(run, [](char c) { return c >= '0' && c <= '9'; });
+        const auto other = std::ranges::find_if_not(run, is_ascii_digit);
         const auto digits = static_cast<std::size_t>(other - run.begin());
         if (where_ == ModulePlace::Pattern) {
             refuse("module.power-before-arrow", caret, "a power before the arrow", "write the modules side by side");

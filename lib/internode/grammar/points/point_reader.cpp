@@ -36,7 +36,8 @@ constexpr std::string_view statement_hint = "a statement is a rule `P(u) < P(v) 
 constexpr std::string_view line_hint = "a rule ends with its line: go on after the arrow or inside parentheses, or "
                                        "begin a statement with a word or an `=`";
 
-const std::vector<std::string>& statement_words() {
+/// What may begin a statement below the heading.
+const std::vector<std::string>& body_words() {
     static const std::vector<std::string> words{"ring", "input", "axiom", "table", "cycle", "interpretation"};
     return words;
 }
@@ -189,7 +190,7 @@ private:
                    statement_hint);
         } else {
             const std::string near =
-                token.kind == TokenKind::Run && word.size() > 2 ? did_you_mean(word, statement_words()) : std::string();
+                token.kind == TokenKind::Run && word.size() > 2 ? did_you_mean(word, body_words()) : std::string();
             const std::string_view hint = rules_ > 0 ? line_hint : statement_hint;
             refuse("grammar.unknown-statement", place_of(token), fmt::format("{} begins no statement", quoted(word)),
                    near.empty() ? std::string(hint) : fmt::format("did you mean `{}`?", near));

@@ -5,6 +5,8 @@
 
 #include "internode/io/file/output_target.h"
 
+#include "internode/text/ascii.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -30,7 +32,7 @@ std::optional<int> descriptor_of(std::string_view path) {
     for (const std::string_view prefix : {"/dev/fd/", "/proc/self/fd/"}) {
         if (!path.starts_with(prefix)) continue;
         const std::string_view digits = path.substr(prefix.size());
-        const bool plain = std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
+        const bool plain = std::ranges::all_of(digits, is_ascii_digit);
         if (plain && !digits.empty() && digits.size() <= 6) return std::stoi(std::string(digits));
     }
     return std::nullopt;

@@ -12,18 +12,16 @@ namespace internode {
 
 namespace {
 
-constexpr JsonWriter::Layout line = JsonWriter::Layout::Line;
-
 void write_head(JsonWriter& json, const CurveDocument& curve) {
     json.key("format").string("internode-curve").key("version").integer(1);
-    json.key("generator").begin_object(line);
+    json.key("generator").begin_object(one_line);
     json.key("version").string(curve.version).key("command").string(curve.command).end_object();
     json.key("degree").integer(curve.degree).key("closed").boolean(curve.ends == Ends::Circular);
 }
 
 void write_word(JsonWriter& json, const CurveDocument& curve) {
     if (curve.word.empty()) return;
-    json.key("word").begin_array(line);
+    json.key("word").begin_array(one_line);
     for (const Symbol symbol : curve.word) {
         if (!json.good()) break;
         json.string(symbol == zero_interval ? "0" : curve.symbols.at(to_index(symbol)));
@@ -38,7 +36,7 @@ void write_lengths(JsonWriter& json, const CurveDocument& curve) {
     json.key("lengths").begin_object();
     for (const CurveLength& length : curve.lengths) {
         if (length.exact.empty()) continue;
-        json.key(length.symbol).begin_object(line).key("value").number(length.value).key("exact").begin_array();
+        json.key(length.symbol).begin_object(one_line).key("value").number(length.value).key("exact").begin_array();
         for (const std::string& coefficient : length.exact) json.string(coefficient);
         json.end_array().end_object();
     }
@@ -47,12 +45,12 @@ void write_lengths(JsonWriter& json, const CurveDocument& curve) {
 
 void write_knots(JsonWriter& json, const CurveDocument& curve) {
     if (!curve.origin.exact.empty()) {
-        json.key("origin").begin_object(line).key("value").number(curve.origin.value).key("exact").begin_array();
+        json.key("origin").begin_object(one_line).key("value").number(curve.origin.value).key("exact").begin_array();
         for (const std::string& coefficient : curve.origin.exact) json.string(coefficient);
         json.end_array().end_object();
     }
     if (curve.knots.empty()) return;
-    json.key("knots").begin_array(line);
+    json.key("knots").begin_array(one_line);
     for (std::size_t i = 0; i < curve.knots.size() && json.good(); ++i) json.number(curve.knots[i]);
     json.end_array();
 }
@@ -61,7 +59,7 @@ void write_points(JsonWriter& json, const PointsView& points, std::size_t dimens
     assert(dimension >= 1 && dimension <= points.dimension);
     json.key("points").begin_array();
     for (std::size_t row = 0; row < points.size() && json.good(); ++row) {
-        json.begin_array(line);
+        json.begin_array(one_line);
         for (const double coordinate : points[row].first(dimension)) json.number(coordinate);
         json.end_array();
     }
@@ -70,7 +68,7 @@ void write_points(JsonWriter& json, const PointsView& points, std::size_t dimens
 
 void write_weights(JsonWriter& json, const PointsView& points) {
     assert(points.dimension >= 2);
-    json.key("weights").begin_array(line);
+    json.key("weights").begin_array(one_line);
     for (std::size_t row = 0; row < points.size() && json.good(); ++row) json.number(points[row].back());
     json.end_array();
 }

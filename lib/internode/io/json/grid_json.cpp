@@ -11,15 +11,13 @@ namespace internode {
 
 namespace {
 
-constexpr JsonWriter::Layout line = JsonWriter::Layout::Line;
-
 void write_head(JsonWriter& json, const GridDocument& grid) {
     json.key("format").string("internode-grid").key("version").integer(1);
-    json.key("generator").begin_object(line);
+    json.key("generator").begin_object(one_line);
     json.key("version").string(grid.version).key("command").string(grid.command).end_object();
-    json.key("degree").begin_array(line);
+    json.key("degree").begin_array(one_line);
     for (const GridSide& side : grid.sides) json.integer(side.degree);
-    json.end_array().key("closed").begin_array(line);
+    json.end_array().key("closed").begin_array(one_line);
     for (const GridSide& side : grid.sides) json.boolean(side.ends == Ends::Circular);
     json.end_array().key("rational").boolean(grid.rational);
 }
@@ -27,7 +25,7 @@ void write_head(JsonWriter& json, const GridDocument& grid) {
 void write_words(JsonWriter& json, const GridDocument& grid) {
     json.key("word").begin_array();
     for (const GridSide& side : grid.sides) {
-        json.begin_array(line);
+        json.begin_array(one_line);
         for (const Symbol symbol : side.word) {
             if (!json.good()) break;
             json.string(symbol == zero_interval ? "0" : side.symbols.at(to_index(symbol)));
@@ -43,7 +41,7 @@ void write_lengths(JsonWriter& json, const GridDocument& grid) {
         json.begin_object();
         for (const CurveLength& length : side.lengths) {
             if (length.exact.empty()) continue;
-            json.key(length.symbol).begin_object(line).key("value").number(length.value).key("exact").begin_array();
+            json.key(length.symbol).begin_object(one_line).key("value").number(length.value).key("exact").begin_array();
             for (const std::string& coefficient : length.exact) json.string(coefficient);
             json.end_array().end_object();
         }
@@ -60,7 +58,7 @@ void write_origins(JsonWriter& json, const GridDocument& grid) {
             json.null();
             continue;
         }
-        json.begin_object(line).key("value").number(side.origin.value).key("exact").begin_array();
+        json.begin_object(one_line).key("value").number(side.origin.value).key("exact").begin_array();
         for (const std::string& coefficient : side.origin.exact) json.string(coefficient);
         json.end_array().end_object();
     }
@@ -75,7 +73,7 @@ void write_knots(JsonWriter& json, const GridDocument& grid) {
             json.null();
             continue;
         }
-        json.begin_array(line);
+        json.begin_array(one_line);
         for (std::size_t i = 0; i < side.knots.size() && json.good(); ++i) json.number(side.knots[i]);
         json.end_array();
     }
@@ -88,7 +86,7 @@ void write_points(JsonWriter& json, const GridDocument& grid) {
     json.key("points").begin_array();
     for (std::size_t point = 0; point < grid.points.size() && json.good(); ++point) {
         if (point % grid.columns == 0) json.begin_array();
-        json.begin_array(line);
+        json.begin_array(one_line);
         for (const double coordinate : grid.points[point]) json.number(coordinate);
         json.end_array();
         if (point % grid.columns + 1 == grid.columns) json.end_array();

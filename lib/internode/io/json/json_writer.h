@@ -67,4 +67,7 @@ private:
     bool good_ = true;
 };
 
+/// How short values stand in a long document: `json.begin_array(one_line)`.
+inline constexpr JsonWriter::Layout one_line = JsonWriter::Layout::Line;
+
 } // namespace internode

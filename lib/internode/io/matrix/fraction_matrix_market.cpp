@@ -6,6 +6,7 @@
 #include "internode/io/file/limits.h"
 #include "internode/io/matrix/fraction_entry.h"
 #include "internode/io/matrix/fraction_matrix.h"
+#include "internode/text/ascii.h"
 #include "internode/text/lines.h"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ std::string lower(std::string_view text) {
 /// A whole number of at most 18 digits.
 std::optional<std::uint64_t> count(std::string_view text) {
     constexpr std::size_t most_digits = 18;
-    const bool digits = std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
+    const bool digits = std::ranges::all_of(text, is_ascii_digit);
     if (text.empty() || text.size() > most_digits || !digits) return std::nullopt;
     std::uint64_t value = 0;
     for (const char c : text) value = 10 * value + static_cast<std::uint64_t>(c - '0');

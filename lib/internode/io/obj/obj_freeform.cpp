@@ -18,13 +18,6 @@ namespace internode {
 
 namespace {
 
-constexpr std::size_t row = 4; // x, y, z, w
-
-std::string quoted(std::string_view text) {
-    constexpr std::size_t shown = 40;
-    return '`' + std::string(text.substr(0, shown)) + (text.size() > shown ? "...`" : "`");
-}
-
 std::string shown_number(const Rational& number) {
     constexpr std::size_t longest = 40;
     std::string text = to_string(number);
@@ -62,7 +55,7 @@ public:
             read_statement(*keyword);
         }
         if (open_ && errors_.size() < max_polygon_errors)
-            refuse(open_->keyword, quoted(open_->keyword.text) + " without `end`");
+            refuse(open_->keyword, obj_quoted(open_->keyword.text) + " without `end`");
         if (file_.elements.empty() && errors_.empty()) add_empty_error();
         if (!errors_.empty()) return {.file = {}, .errors = std::move(errors_)};
         return {.file = std::move(file_), .errors = {}};
@@ -101,31 +94,32 @@ private:
         case ObjStatement::End:
             return end_element(keyword);
         case ObjStatement::Foreign:
-            return refuse(keyword, quoted(keyword.text) + " reaches out of the file: it is not followed");
+            return refuse(keyword, obj_quoted(keyword.text) + " reaches out of the file: it is not followed");
         case ObjStatement::Other:
             return;
         case ObjStatement::Unknown:
             break;
         }
-        refuse(keyword, quoted(keyword.text) + " is no statement of OBJ");
+        refuse(keyword, obj_quoted(keyword.text) + " is no statement of OBJ");
         const std::string meant = obj_did_you_mean(keyword.text);
         if (!meant.empty()) errors_.back().hint = "did you mean `" + meant + "`?";
     }
 
     void read_vertex(const ObjWord& keyword) {
-        if (file_.vertices.size() / row >= limits_.vertices) return refuse_limit(keyword, limits_.vertices, "vertices");
+        if (file_.vertices.size() / free_form_row >= limits_.vertices)
+            return refuse_limit(keyword, limits_.vertices, "vertices");
         double numbers[6] = {0, 0, 0, 1, 0, 0};
         std::size_t count = 0;
         while (const auto word = words_.next()) {
             const std::optional<double> number = parse_double(word->text);
-            if (!number) return refuse(*word, quoted(word->text) + " is not a number within the range of doubles");
+            if (!number) return refuse(*word, obj_quoted(word->text) + " is not a number within the range of doubles");
             if (count == 6) return refuse(*word, "a vertex has x y z, a weight w or a colour r g b, and no more");
             numbers[count++] = *number;
         }
         if (count < 3 || count == 5)
             return refuse(keyword, "a vertex has 3, 4 or 6 numbers, not " + std::to_string(count));
         if (count == 6) numbers[3] = 1; // x y z r g b
-        file_.vertices.insert(file_.vertices.end(), numbers, numbers + row);
+        file_.vertices.insert(file_.vertices.end(), numbers, numbers + free_form_row);
     }
 
     void read_type(const ObjWord& keyword) {
@@ -178,13 +172,13 @@ private:
     bool read_head(const ObjWord& keyword, std::size_t directions) {
         assert(directions == 1 || directions == 2);
         if (type_ != "bspline") {
-            refuse(keyword, type_.empty() ? quoted(keyword.text) + " before `cstype`"
-                                          : "only `bspline` is read, not `cstype` " + quoted(type_));
+            refuse(keyword, type_.empty() ? obj_quoted(keyword.text) + " before `cstype`"
+                                          : "only `bspline` is read, not `cstype` " + obj_quoted(type_));
             return false;
         }
         for (std::size_t i = 0; i < directions; ++i) {
             if (degrees_[i] == 0) {
-                refuse(keyword, quoted(keyword.text) + " needs " + (directions == 2 ? "two degrees" : "a degree") +
+                refuse(keyword, obj_quoted(keyword.text) + " needs " + (directions == 2 ? "two degrees" : "a degree") +
                                     " from `deg`");
                 return false;
             }
@@ -199,7 +193,8 @@ private:
         const auto word = words_.next();
         const std::optional<Rational> read = word ? parse_obj_decimal(word->text) : std::nullopt;
         if (read) number = *read;
-        if (!read) refuse(word.value_or(keyword), quoted(keyword.text) + " begins with the range of its parameters");
+        if (!read)
+            refuse(word.value_or(keyword), obj_quoted(keyword.text) + " begins with the range of its parameters");
         return read.has_value();
     }
 
@@ -209,7 +204,7 @@ private:
             return false;
         }
         const std::size_t slash = word.text.find('/');
-        const auto vertex = index(word, word.text.substr(0, slash), file_.vertices.size() / row, "vertex");
+        const auto vertex = index(word, word.text.substr(0, slash), file_.vertices.size() / free_form_row, "vertex");
         if (!vertex) return false;
         if (slash != std::string_view::npos) {
             if (!may_have_more) {
@@ -218,7 +213,7 @@ private:
             }
             if (!check_more(word, word.text.substr(slash + 1))) return false;
         }
-        const double weight = file_.vertices[*vertex * row + row - 1];
+        const double weight = file_.vertices[*vertex * free_form_row + free_form_row - 1];
         if (rational_ && first_bad_weight({&weight, 1})) {
             refuse(word, "the weight of vertex " + std::string(word.text.substr(0, slash)) + " is " +
                              to_string(weight) + ": weights go from " + to_string(smallest_weight) + " to " +
@@ -247,7 +242,7 @@ private:
         const char* const end = digits.data() + digits.size();
         const auto [stop, error] = std::from_chars(digits.data(), end, value);
         if (digits.empty() || stop != end || error == std::errc::invalid_argument) {
-            refuse(word, quoted(text) + " is not the index of a " + what);
+            refuse(word, obj_quoted(text) + " is not the index of a " + what);
             return std::nullopt;
         }
         if (error == std::errc{} && value >= 1 && value <= count) return negative ? count - value : value - 1;
@@ -273,7 +268,7 @@ private:
         while (const auto word = words_.next()) {
             if (knots_ >= limits_.knots) return refuse_limit(*word, limits_.knots, "knots");
             std::optional<Rational> knot = parse_obj_decimal(word->text);
-            if (!knot) return refuse(*word, quoted(word->text) + " is not a decimal number");
+            if (!knot) return refuse(*word, obj_quoted(word->text) + " is not a decimal number");
             knots.push_back(std::move(*knot));
             ++knots_;
         }
@@ -330,16 +325,16 @@ private:
     /// An element that is open when another begins has lost its `end`.
     void require_closed(const ObjWord& keyword) {
         if (!open_) return;
-        refuse(keyword, quoted(keyword.text) + " before the `end` of " + quoted(open_->keyword.text));
+        refuse(keyword, obj_quoted(keyword.text) + " before the `end` of " + obj_quoted(open_->keyword.text));
         open_.reset();
     }
 
     void refuse_more() {
-        if (const auto word = words_.next()) refuse(*word, quoted(word->text) + " is one word too many");
+        if (const auto word = words_.next()) refuse(*word, obj_quoted(word->text) + " is one word too many");
     }
 
     bool refuse_whole(const std::string& message) {
-        refuse(open_->keyword, quoted(open_->keyword.text) + ": " + message);
+        refuse(open_->keyword, obj_quoted(open_->keyword.text) + ": " + message);
         return false;
     }
 

@@ -32,6 +32,9 @@ struct FreeFormDirection {
     std::vector<Rational> knots; ///< knots as they stand: whether they ascend is for curve/knot_vector.h to say
 };
 
+/// Doubles of a vertex in FreeFormFile::vertices: x, y, z, w.
+inline constexpr std::size_t free_form_row = 4;
+
 struct FreeForm {
     TextPlace place; ///< where its `curv` or `surf` stands
     bool rational = false;

@@ -16,7 +16,7 @@ namespace internode {
 
 namespace {
 
-constexpr std::size_t row = 3;            // x, y, z
+constexpr std::size_t polyline_row = 3;   // x, y, z
 constexpr std::size_t longest_line = 256; // indices that write_obj puts into an `l`
 
 struct Polyline {
@@ -24,11 +24,6 @@ struct Polyline {
     std::vector<std::size_t> vertices;
     std::size_t last_count = 0; ///< indices of its last `l`
 };
-
-std::string quoted(std::string_view text) {
-    constexpr std::size_t shown = 40;
-    return '`' + std::string(text.substr(0, shown)) + (text.size() > shown ? "...`" : "`");
-}
 
 class PolylineReader {
 public:
@@ -62,21 +57,21 @@ private:
         // A new object or group never goes on with the polyline of the one before.
         if (keyword.text == "o" || keyword.text == "g") may_go_on_ = false;
         if (statement == ObjStatement::Foreign)
-            refuse(keyword, quoted(keyword.text) + " reaches out of the file: it is not followed");
-        if (statement == ObjStatement::Unknown) refuse(keyword, quoted(keyword.text) + " is no statement of OBJ");
+            refuse(keyword, obj_quoted(keyword.text) + " reaches out of the file: it is not followed");
+        if (statement == ObjStatement::Unknown) refuse(keyword, obj_quoted(keyword.text) + " is no statement of OBJ");
     }
 
     void read_vertex(const ObjWord& keyword) {
-        if (vertices_.size() / row >= limits_.vertices) return refuse_limit(keyword, "vertices");
+        if (vertices_.size() / polyline_row >= limits_.vertices) return refuse_limit(keyword, "vertices");
         std::size_t count = 0;
         while (const auto word = words_.next()) {
             const std::optional<double> number = parse_double(word->text);
-            if (!number) return refuse(*word, quoted(word->text) + " is not a number within the range of doubles");
-            if (count < row) vertices_.push_back(*number); // a weight or a colour may follow
+            if (!number) return refuse(*word, obj_quoted(word->text) + " is not a number within the range of doubles");
+            if (count < polyline_row) vertices_.push_back(*number); // a weight or a colour may follow
             ++count;
         }
-        vertices_.resize((vertices_.size() + row - 1) / row * row);
-        if (count < row) refuse(keyword, "a vertex needs x, y and z");
+        vertices_.resize((vertices_.size() + polyline_row - 1) / polyline_row * polyline_row);
+        if (count < polyline_row) refuse(keyword, "a vertex needs x, y and z");
     }
 
     void read_line(const ObjWord& keyword) {
@@ -112,15 +107,15 @@ private:
     /// The vertex of `3`, `-1` or `3/7`, from 0.
     std::optional<std::size_t> vertex(const ObjWord& word) {
         const std::string_view text = word.text.substr(0, word.text.find('/'));
-        const std::size_t count = vertices_.size() / row;
+        const std::size_t count = vertices_.size() / polyline_row;
         std::int64_t value = 0;
         const char* const end = text.data() + text.size();
         const auto [stop, error] = std::from_chars(text.data(), end, value);
         const auto most = static_cast<std::int64_t>(count);
         if (error == std::errc{} && stop == end && value != 0 && value >= -most && value <= most)
             return value > 0 ? static_cast<std::size_t>(value) - 1 : count - static_cast<std::size_t>(-value);
-        refuse(word, "no vertex " + quoted(text) + ": " + std::to_string(count) + (count == 1 ? " stands" : " stand") +
-                         " before");
+        refuse(word, "no vertex " + obj_quoted(text) + ": " + std::to_string(count) +
+                         (count == 1 ? " stands" : " stand") + " before");
         errors_.back().hint = "indices count from 1, or from -1 backwards";
         return std::nullopt;
     }
@@ -128,16 +123,16 @@ private:
     [[nodiscard]] InputPolygon polygon_of(const Polyline& polyline) const {
         InputPolygon polygon;
         polygon.source = source_;
-        polygon.dimension = row;
+        polygon.dimension = polyline_row;
         polygon.line = polyline.line;
         const bool closed = polyline.vertices.size() > 3 && polyline.vertices.front() == polyline.vertices.back();
         if (closed) polygon.closed = true;
         const std::size_t count = polyline.vertices.size() - (closed ? 1 : 0);
-        polygon.points.reserve(count * row);
+        polygon.points.reserve(count * polyline_row);
         for (std::size_t i = 0; i < count; ++i) {
-            assert((polyline.vertices[i] + 1) * row <= vertices_.size());
-            const auto first = vertices_.begin() + static_cast<std::ptrdiff_t>(polyline.vertices[i] * row);
-            polygon.points.insert(polygon.points.end(), first, first + row);
+            assert((polyline.vertices[i] + 1) * polyline_row <= vertices_.size());
+            const auto first = vertices_.begin() + static_cast<std::ptrdiff_t>(polyline.vertices[i] * polyline_row);
+            polygon.points.insert(polygon.points.end(), first, first + polyline_row);
         }
         return polygon;
     }

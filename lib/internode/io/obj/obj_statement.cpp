@@ -2,6 +2,7 @@
 
 #include "internode/io/obj/obj_statement.h"
 
+#include "internode/text/ascii.h"
 #include "internode/text/diagnostic.h"
 #include "internode/text/did_you_mean.h"
 
@@ -95,6 +96,11 @@ std::string obj_did_you_mean(std::string_view keyword) {
     return did_you_mean(std::string(keyword.substr(0, longest)), names);
 }
 
+std::string obj_quoted(std::string_view word) {
+    constexpr std::size_t shown = 40;
+    return '`' + std::string(word.substr(0, shown)) + (word.size() > shown ? "...`" : "`");
+}
+
 std::optional<Rational> parse_obj_decimal(std::string_view text) {
     if (text.find('/') != std::string_view::npos) return std::nullopt;
     if (text.starts_with('+')) {
@@ -102,8 +108,7 @@ std::optional<Rational> parse_obj_decimal(std::string_view text) {
         if (text.starts_with('-')) return std::nullopt;
     }
     const std::size_t point = text.find('.');
-    const bool bare = point != std::string_view::npos && point > 0 && text[point - 1] >= '0' &&
-                      text[point - 1] <= '9' &&
+    const bool bare = point != std::string_view::npos && point > 0 && is_ascii_digit(text[point - 1]) &&
                       (point + 1 == text.size() || text[point + 1] == 'e' || text[point + 1] == 'E');
     if (!bare) return parse_rational(text);
     return parse_rational(std::string(text.substr(0, point)) + std::string(text.substr(point + 1)));

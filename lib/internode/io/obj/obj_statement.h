@@ -56,6 +56,9 @@ enum class ObjStatement {
 };
 [[nodiscard]] ObjStatement obj_statement(std::string_view keyword);
 
+/// A word between backquotes as messages show it, its first 40 bytes.
+[[nodiscard]] std::string obj_quoted(std::string_view word);
+
 /// A statement that the reader knows and that looks like the keyword; empty without one.
 [[nodiscard]] std::string obj_did_you_mean(std::string_view keyword);
 

@@ -16,7 +16,7 @@ namespace internode {
 namespace {
 
 /// Widths of pieces, one after the other.
-constexpr std::array<std::size_t, 12> sides{1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64};
+constexpr std::array<std::size_t, 12> piece_widths{1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64};
 
 /// Why no piece could decide, seen in the grammar alone.
 std::vector<ExactStop> obstacles(const PointSystem& system) {
@@ -102,7 +102,7 @@ Compilation compile(const PointSystem& system, StartWord start, const CompileLim
     if (std::optional<ExactStop> stop = dimensions(system)) result.reasons.push_back(*std::move(stop));
     if (!result.reasons.empty()) return result;
     ExactBudget budget{limits.work};
-    for (const std::size_t side : sides) {
+    for (const std::size_t side : piece_widths) {
         if (side > limits.side) break;
         ExplorationResult explored = explore(system, start, side, limits.states, budget);
         if (explored.stop) {

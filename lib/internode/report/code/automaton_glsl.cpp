@@ -8,7 +8,7 @@ namespace internode {
 
 namespace {
 
-constexpr std::string_view usage = R"( *
+constexpr std::string_view glsl_usage = R"( *
  * Paste it below `#version 430`: one step of subdivision as a compute shader, one invocation a cell. Define
  * INTERNODE_DOUBLE for double, INTERNODE_FUNCTION_ONLY to declare buffers and main() yourself.
  *
@@ -81,7 +81,7 @@ std::string weights(const CodeTables& tables, const CellAutomaton& automaton) {
 
 std::string shader(const CodeTables& tables, const CellAutomaton& automaton, std::string_view lead_comment) {
     const std::string& name = tables.name;
-    return with_name(usage, name) + "const uint " + name + "_degree = " + std::to_string(tables.degree) +
+    return with_name(glsl_usage, name) + "const uint " + name + "_degree = " + std::to_string(tables.degree) +
            "u;\n\n/* Of each state: " + std::string(lead_comment) +
            ", and its first child; of each child: its state and row. */\n" + table(name + "_lead", tables.lead) +
            table(name + "_first", tables.first) + table(name + "_child", tables.child) +

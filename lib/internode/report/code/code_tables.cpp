@@ -6,6 +6,7 @@
 #include "internode/report/code/code_tables.h"
 
 #include "internode/io/file/comment_text.h"
+#include "internode/text/ascii.h"
 #include "internode/text/number.h"
 
 #include <algorithm>
@@ -14,14 +15,6 @@
 namespace internode {
 
 namespace {
-
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 std::string rules_text(const IntervalSystem& system) {
     std::string text;
@@ -86,7 +79,7 @@ std::string code_identifier(std::string_view text) {
     std::string name;
     for (const char c : text) {
         if (name.size() == longest) break;
-        if (is_letter(c) || (is_digit(c) && !name.empty()))
+        if (is_ascii_letter(c) || (is_ascii_digit(c) && !name.empty()))
             name += c;
         else if (!name.empty() && name.back() != '_')
             name += '_';

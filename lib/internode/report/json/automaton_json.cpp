@@ -8,20 +8,18 @@ namespace internode {
 
 namespace {
 
-constexpr JsonWriter::Layout line = JsonWriter::Layout::Line;
-
 void write_states(JsonWriter& json, const AutomatonExport& exported) {
     const StencilAutomaton& automaton = exported.automaton;
     json.key("states").begin_array();
     for (std::uint32_t s = 0; s < automaton.state_count(); ++s) {
         const CellState& state = automaton.state(s);
-        json.begin_object(line).key("window");
+        json.begin_object(one_line).key("window");
         write_word(json, state.window, exported.system.alphabet());
         json.key("lead").integer(state.lead);
         json.key("offset").number(static_cast<double>(automaton.offset(s)));
-        json.key("children").begin_array(line);
+        json.key("children").begin_array(one_line);
         for (const StencilAutomaton::Child& child : automaton.children(s))
-            json.begin_object(line).key("state").integer(child.state).key("row").integer(child.row).end_object();
+            json.begin_object(one_line).key("state").integer(child.state).key("row").integer(child.row).end_object();
         json.end_array().end_object();
     }
     json.end_array();
@@ -30,7 +28,7 @@ void write_states(JsonWriter& json, const AutomatonExport& exported) {
 void write_rows(JsonWriter& json, const AutomatonExport& exported) {
     json.key("rows").begin_array();
     for (std::uint32_t row = 0; row < exported.automaton.row_count(); ++row) {
-        json.begin_array(line);
+        json.begin_array(one_line);
         for (const Number& weight : exported.automaton.exact_weights(row))
             write_number(json, weight, exported.system.field());
         json.end_array();

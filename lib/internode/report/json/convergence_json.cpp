@@ -8,12 +8,10 @@ namespace internode {
 
 namespace {
 
-constexpr JsonWriter::Layout line = JsonWriter::Layout::Line;
-
 void write_steps(JsonWriter& json, const Convergence& convergence) {
     json.key("steps").begin_array();
     for (const ConvergenceStep& step : convergence.steps) {
-        json.begin_object(line);
+        json.begin_object(one_line);
         json.key("step").integer(static_cast<std::size_t>(step.step));
         json.key("points").integer(step.points);
         json.key("largest_interval").number(step.largest_interval);
@@ -34,7 +32,7 @@ void write_depth(JsonWriter& json, const std::optional<ToleranceDepth>& depth) {
         json.null();
         return;
     }
-    json.begin_object(line).key("tolerance").number(depth->tolerance).key("steps");
+    json.begin_object(one_line).key("tolerance").number(depth->tolerance).key("steps");
     if (depth->steps)
         json.integer(static_cast<std::size_t>(*depth->steps));
     else
@@ -62,7 +60,7 @@ std::string convergence_json(const Convergence& convergence, const IntervalSyste
     write_depth(json, convergence.depth);
     json.key("bisection").begin_array();
     for (const BisectionStep& step : convergence.bisection)
-        json.begin_object(line).key("points").integer(step.points).key("error").number(step.error).end_object();
+        json.begin_object(one_line).key("points").integer(step.points).key("error").number(step.error).end_object();
     json.end_array();
     json.end_object().finish();
     return sink.text();

@@ -9,8 +9,6 @@ namespace internode {
 
 namespace {
 
-constexpr JsonWriter::Layout line = JsonWriter::Layout::Line;
-
 void write_finite(JsonWriter& json, std::string_view key, double value) {
     json.key(key);
     if (std::isfinite(value))
@@ -31,9 +29,9 @@ std::optional<std::vector<Rational>> coefficients_in(const Quantity& quantity,
 }
 
 void write_exact(JsonWriter& json, double value, const std::vector<Rational>& coefficients) {
-    json.begin_object(line);
+    json.begin_object(one_line);
     write_finite(json, "value", value);
-    json.key("exact").begin_array(line);
+    json.key("exact").begin_array(one_line);
     for (const Rational& coefficient : coefficients) json.string(to_string(coefficient));
     json.end_array().end_object();
 }
@@ -43,7 +41,7 @@ void write_exact(JsonWriter& json, double value, const std::vector<Rational>& co
 void write_heading(JsonWriter& json, std::string_view format, const Generator& generator) {
     json.key("format").string(format);
     json.key("version").integer(1);
-    json.key("generator").begin_object(line);
+    json.key("generator").begin_object(one_line);
     json.key("version").string(generator.version);
     json.key("command").string(generator.command);
     json.end_object();
@@ -58,7 +56,7 @@ void write_quantity(JsonWriter& json, const Quantity& quantity, const std::optio
         write_exact(json, quantity.value, *coefficients);
         return;
     }
-    json.begin_object(line);
+    json.begin_object(one_line);
     write_finite(json, "value", quantity.value);
     write_finite(json, "lower", quantity.bounds.lower);
     write_finite(json, "upper", quantity.bounds.upper);
@@ -66,8 +64,8 @@ void write_quantity(JsonWriter& json, const Quantity& quantity, const std::optio
 }
 
 void write_field(JsonWriter& json, const NumberField& field) {
-    json.begin_object(line);
-    json.key("minimal_polynomial").begin_array(line);
+    json.begin_object(one_line);
+    json.key("minimal_polynomial").begin_array(one_line);
     for (const Integer& coefficient : field.minimal_polynomial()) json.string(coefficient.get_str());
     json.end_array();
     write_finite(json, "root", field.generator().to_double());
@@ -75,7 +73,7 @@ void write_field(JsonWriter& json, const NumberField& field) {
 }
 
 void write_word(JsonWriter& json, WordView word, const Alphabet& alphabet) {
-    json.begin_array(line);
+    json.begin_array(one_line);
     for (const Symbol symbol : word) json.string(alphabet.name(symbol));
     json.end_array();
 }
@@ -91,13 +89,19 @@ void write_grammar(JsonWriter& json, const IntervalGrammar& grammar) {
     json.end_object();
     json.key("axiom");
     if (grammar.axiom) {
-        json.begin_object(line).key("word");
+        json.begin_object(one_line).key("word");
         write_word(json, grammar.axiom->word, grammar.alphabet);
         json.key("closed").boolean(grammar.axiom->ends == Ends::Circular).end_object();
     } else {
         json.null();
     }
     json.end_object();
+}
+
+void begin_fitting(JsonWriter& json, const Fitting& fitting) {
+    json.key("fitting").begin_object(one_line).key("measured").integer(fitting.measured);
+    json.key("points").integer(fitting.points).key("change");
+    json.string(fitting.fit == Fit::AsMeasured ? "none" : fitting.fit == Fit::Cut ? "cut" : "resampled");
 }
 
 void write_system(JsonWriter& json, const IntervalSystem& system) {
@@ -110,7 +114,7 @@ void write_system(JsonWriter& json, const IntervalSystem& system) {
     json.key("symbols").begin_array();
     for (std::size_t i = 0; i < system.alphabet().size(); ++i) {
         const Symbol symbol = to_symbol(i);
-        json.begin_object(line).key("name").string(system.alphabet().name(symbol)).key("length");
+        json.begin_object(one_line).key("name").string(system.alphabet().name(symbol)).key("length");
         if (system.occurs(symbol))
             write_number(json, system.length(symbol), system.field());
         else

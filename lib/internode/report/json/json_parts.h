@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include "internode/curve/reverse/resampling.h"
 #include "internode/interval/interval_system.h"
 #include "internode/interval/quantity.h"
 #include "internode/io/json/json_writer.h"
@@ -34,6 +35,9 @@ void write_word(JsonWriter& json, WordView word, const Alphabet& alphabet);
 
 /// {"name", "rules": {symbol: word}, "axiom": null or {"word", "closed"}}.
 void write_grammar(JsonWriter& json, const IntervalGrammar& grammar);
+
+/// "fitting": {"measured", "points", "change"; the object stays open.
+void begin_fitting(JsonWriter& json, const Fitting& fitting);
 
 /// "grammar", "field", "ratio" and "symbols" with their lengths, as keys of the open object.
 void write_system(JsonWriter& json, const IntervalSystem& system);

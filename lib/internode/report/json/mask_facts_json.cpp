@@ -12,14 +12,12 @@ namespace internode {
 
 namespace {
 
-constexpr JsonWriter::Layout line = JsonWriter::Layout::Line;
-
 void write_rational(JsonWriter& json, const Rational& value) {
     write_number(json, Number(value), NumberField());
 }
 
 void write_rationals(JsonWriter& json, const std::vector<Rational>& values) {
-    json.begin_array(line);
+    json.begin_array(one_line);
     for (const Rational& value : values) write_rational(json, value);
     json.end_array();
 }
@@ -49,7 +47,7 @@ void write_bounds(JsonWriter& json, const Rational& lower, const Rational& upper
     double above = to_double(upper);
     if (std::isfinite(below) && to_rational(below) > lower) below = std::nextafter(below, -infinity);
     if (std::isfinite(above) && to_rational(above) < upper) above = std::nextafter(above, infinity);
-    json.begin_object(line);
+    json.begin_object(one_line);
     write_double(json, "lower", below);
     write_double(json, "upper", above);
     json.end_object();
@@ -102,7 +100,7 @@ std::string_view convergence_name(SchemeConvergence convergence) {
 }
 
 void write_difference(JsonWriter& json, const DifferenceScheme& scheme) {
-    json.begin_object(line).key("order").integer(scheme.order);
+    json.begin_object(one_line).key("order").integer(scheme.order);
     json.key("weights");
     write_rationals(json, scheme.coefficients);
     json.key("radius");
@@ -116,7 +114,7 @@ void write_smoothness(JsonWriter& json, const Smoothness& smoothness) {
     json.begin_object().key("convergence").string(convergence_name(smoothness.convergence));
     json.key("reason").string(smoothness.reason);
     write_count(json, "derivatives", smoothness.derivatives);
-    json.key("hoelder").begin_object(line);
+    json.key("hoelder").begin_object(one_line);
     write_double(json, "lower", smoothness.holder_lower);
     write_double(json, "upper", smoothness.holder_upper);
     json.key("upper_is_proved").boolean(smoothness.upper_is_proved);
@@ -129,7 +127,7 @@ void write_smoothness(JsonWriter& json, const Smoothness& smoothness) {
 void write_schemes(JsonWriter& json, const std::vector<KnownScheme>& known) {
     json.key("schemes").begin_array();
     for (const KnownScheme& scheme : known) {
-        json.begin_object(line).key("family").string(family_name(scheme.family));
+        json.begin_object(one_line).key("family").string(family_name(scheme.family));
         json.key("parameters");
         write_rationals(json, scheme.parameters);
         json.key("name").string(scheme.name).end_object();

@@ -10,10 +10,8 @@ namespace internode {
 
 namespace {
 
-constexpr JsonWriter::Layout line = JsonWriter::Layout::Line;
-
 void write_weights(JsonWriter& json, const std::vector<Number>& weights, const NumberField& field) {
-    json.begin_array(line);
+    json.begin_array(one_line);
     for (const Number& weight : weights) write_number(json, weight, field);
     json.end_array();
 }
@@ -28,7 +26,7 @@ void write_decompositions(JsonWriter& json, const MaskTable& table) {
         json.key("persistent").boolean(table.graph.persistent[v]);
         json.key("mask").begin_array();
         for (const MaskEntry& entry : table.masks[v].entries) {
-            json.begin_object(line).key("word");
+            json.begin_object(one_line).key("word");
             write_word(json, entry.word, alphabet);
             json.key("weight");
             write_number(json, entry.weight, table.system.field());
@@ -49,7 +47,7 @@ void write_windows(JsonWriter& json, const MaskTable& table) {
         json.key("children").begin_array();
         assert(row.children.size() == row.stencils.children.size());
         for (std::size_t c = 0; c < row.children.size(); ++c) {
-            json.begin_object(line).key("window").integer(row.children[c]).key("weights");
+            json.begin_object(one_line).key("window").integer(row.children[c]).key("weights");
             write_weights(json, row.stencils.children[c], field);
             json.end_object();
         }

@@ -9,10 +9,8 @@ namespace internode {
 
 namespace {
 
-constexpr JsonWriter::Layout line = JsonWriter::Layout::Line;
-
 void write_name(JsonWriter& json, const std::string& name, bool closed) {
-    json.key("grammar").begin_object(line).key("name").string(name).end_object();
+    json.key("grammar").begin_object(one_line).key("name").string(name).end_object();
     json.key("closed").boolean(closed);
 }
 
@@ -26,9 +24,9 @@ void write_mask(JsonWriter& json, const std::optional<UniformMask>& mask) {
         json.null();
         return;
     }
-    json.begin_object(line).key("arity").integer(mask->arity).key("first");
+    json.begin_object(one_line).key("arity").integer(mask->arity).key("first");
     write_signed(json, mask->first);
-    json.key("coefficients").begin_array(line);
+    json.key("coefficients").begin_array(one_line);
     for (const Rational& weight : mask->coefficients) json.string(to_string(weight));
     json.end_array().end_object();
 }
@@ -36,9 +34,9 @@ void write_mask(JsonWriter& json, const std::optional<UniformMask>& mask) {
 void write_matrix(JsonWriter& json, const RationalMatrix& matrix) {
     json.key("matrix").begin_object().key("columns").integer(matrix.columns).key("rows").begin_array();
     for (const RationalRow& row : matrix.rows) {
-        json.begin_array(line);
+        json.begin_array(one_line);
         for (const RationalEntry& entry : row)
-            json.begin_object(line)
+            json.begin_object(one_line)
                 .key("column")
                 .integer(entry.column)
                 .key("weight")
@@ -52,17 +50,17 @@ void write_matrix(JsonWriter& json, const RationalMatrix& matrix) {
 void write_states(JsonWriter& json, const CellAutomaton& automaton) {
     json.key("states").begin_array();
     for (std::uint32_t state = 0; state < automaton.state_count(); ++state) {
-        json.begin_object(line).key("offset");
+        json.begin_object(one_line).key("offset");
         write_signed(json, automaton.offset(state));
-        json.key("children").begin_array(line);
+        json.key("children").begin_array(one_line);
         for (const CellAutomaton::Child& child : automaton.children(state))
-            json.begin_object(line).key("state").integer(child.state).key("row").integer(child.row).end_object();
+            json.begin_object(one_line).key("state").integer(child.state).key("row").integer(child.row).end_object();
         json.end_array().end_object();
     }
     json.end_array().key("rows").begin_array();
     const NumberField rationals; // weights of point grammars are rational
     for (std::uint32_t row = 0; row < automaton.row_count(); ++row) {
-        json.begin_array(line);
+        json.begin_array(one_line);
         for (const Number& weight : automaton.exact_weights(row))
             json.string(to_string(weight.coefficients(rationals).front()));
         json.end_array();
@@ -95,7 +93,7 @@ std::string cells_json(const CellExport& cells) {
         json.integer(*cells.compiled.interior());
     else
         json.null();
-    json.key("start").begin_array(line);
+    json.key("start").begin_array(one_line);
     for (const std::uint32_t state : cells.compiled.cells()) json.integer(state);
     json.end_array();
     write_states(json, cells.compiled.automaton());

@@ -12,8 +12,6 @@ namespace internode {
 
 namespace {
 
-constexpr JsonWriter::Layout line = JsonWriter::Layout::Line;
-
 /// Lines of a text by offset, in logarithmic time: a grammar may have as many expressions as it has bytes.
 class LineIndex {
 public:
@@ -80,7 +78,7 @@ public:
     void problems(const std::vector<PointProblem>& problems) {
         json_.key("problems").begin_array();
         for (const PointProblem& problem : problems) {
-            json_.begin_object(line);
+            json_.begin_object(one_line);
             place(problem.place);
             json_.key("message").string(problem.message);
             text("hint", problem.hint);
@@ -106,7 +104,7 @@ public:
         json_.key("staying").begin_array();
         for (const StayingContext& context : coverage->staying) staying(context);
         json_.end_array();
-        json_.key("unused_rules").begin_array(line);
+        json_.key("unused_rules").begin_array(one_line);
         for (const std::uint32_t rule : coverage->unused) json_.integer(rule);
         json_.end_array();
         counts("complete", coverage->complete);
@@ -114,7 +112,7 @@ public:
         json_.key("ends_complete").boolean(coverage->ends_complete);
         json_.key("problem");
         if (coverage->problem) {
-            json_.begin_object(line).key("points").integer(coverage->problem_points);
+            json_.begin_object(one_line).key("points").integer(coverage->problem_points);
             place(coverage->problem->place);
             json_.key("message").string(coverage->problem->message).end_object();
         } else {
@@ -133,7 +131,7 @@ public:
         json_.key("states").integer(facts->states);
         json_.key("reasons").begin_array();
         for (const ExactStop& stop : facts->reasons) {
-            json_.begin_object(line);
+            json_.begin_object(one_line);
             place(stop.place);
             json_.key("message").string(stop.reason).end_object();
         }
@@ -169,7 +167,7 @@ private:
     void position(const AffineFinding& finding) {
         const ArgumentPlace& where = finding.where;
         const bool in_rule = where.part == GrammarPart::Rule || where.part == GrammarPart::Interpretation;
-        json_.begin_object(line).key("part").string(part_name(where));
+        json_.begin_object(one_line).key("part").string(part_name(where));
         json_.key("pass");
         if (where.part == GrammarPart::Interpretation)
             json_.integer(where.pass);
@@ -191,13 +189,13 @@ private:
     }
 
     void counts(std::string_view key, const std::vector<std::size_t>& counts) {
-        json_.key(key).begin_array(line);
+        json_.key(key).begin_array(one_line);
         for (const std::size_t count : counts) json_.integer(count);
         json_.end_array();
     }
 
     void staying(const StayingContext& context) {
-        json_.begin_object(line).key("table");
+        json_.begin_object(one_line).key("table");
         if (context.table)
             json_.string(grammar_.tables[*context.table]);
         else
@@ -220,7 +218,7 @@ private:
             json_.null();
             return;
         }
-        json_.begin_object(line).key("arity").integer(twin->arity);
+        json_.begin_object(one_line).key("arity").integer(twin->arity);
         json_.key("degree").integer(static_cast<std::size_t>(twin->degree));
         json_.key("moved").integer(twin->moved).end_object();
     }

@@ -14,10 +14,8 @@ namespace internode {
 
 namespace {
 
-constexpr auto line = JsonWriter::Layout::Line;
-
 void write_row(JsonWriter& json, std::span<const double> row) {
-    json.begin_array(line);
+    json.begin_array(one_line);
     for (const double coordinate : row) json.number(coordinate);
     json.end_array();
 }
@@ -28,7 +26,7 @@ void write_system(JsonWriter& json, const PointSystem& system, const std::string
     for (std::uint32_t i = 0; i < grammar.definitions.size(); ++i) {
         if (!grammar.definitions[i].formals.empty()) continue;
         const KnownNumber& constant = system.constant(i);
-        json.key(grammar.definitions[i].name).begin_object(line).key("value").number(nearest(constant));
+        json.key(grammar.definitions[i].name).begin_object(one_line).key("value").number(nearest(constant));
         json.key("exact");
         if (constant.exact)
             json.string(to_string(*constant.exact));
@@ -43,7 +41,7 @@ void write_points(JsonWriter& json, const PointStrands& strands, bool weighted) 
     const std::size_t width = strands.dimension;
     assert(!weighted || width >= 2);
     if (weighted) {
-        json.key("weights").begin_array(line);
+        json.key("weights").begin_array(one_line);
         for (std::size_t i = 0; i < strands.size(); ++i) json.number(strands.points[i * width + width - 1]);
         json.end_array();
     }
@@ -56,7 +54,7 @@ void write_points(JsonWriter& json, const PointStrands& strands, bool weighted) 
 void write_strands(JsonWriter& json, const PointStrands& strands) {
     json.key("strands").begin_array();
     for (const PointStrands::Strand& strand : strands.strands) {
-        json.begin_object().key("closed").boolean(strand.closed).key("points").begin_array(line);
+        json.begin_object().key("closed").boolean(strand.closed).key("points").begin_array(one_line);
         for (const std::size_t index : strand.points) json.integer(index);
         json.end_array().end_object();
     }
@@ -64,7 +62,7 @@ void write_strands(JsonWriter& json, const PointStrands& strands) {
     const std::size_t width = strands.dimension;
     assert(width == 0 || strands.lines.size() % (2 * width) == 0);
     for (std::size_t at = 0; at + 2 * width <= strands.lines.size() && width > 0 && json.good(); at += 2 * width) {
-        json.begin_array(line);
+        json.begin_array(one_line);
         write_row(json, std::span(strands.lines).subspan(at, width));
         write_row(json, std::span(strands.lines).subspan(at + width, width));
         json.end_array();

@@ -11,13 +11,11 @@ namespace internode {
 
 namespace {
 
-constexpr JsonWriter::Layout line = JsonWriter::Layout::Line;
-
 void write_rows(JsonWriter& json, const std::vector<double>& rows, std::size_t dimension) {
     assert(dimension > 0 && rows.size() % dimension == 0);
     json.begin_array();
     for (std::size_t row = 0; row < rows.size(); row += dimension) {
-        json.begin_array(line);
+        json.begin_array(one_line);
         for (std::size_t c = row; c < row + dimension; ++c) json.number(rows[c]);
         json.end_array();
     }
@@ -25,14 +23,12 @@ void write_rows(JsonWriter& json, const std::vector<double>& rows, std::size_t d
 }
 
 void write_error(JsonWriter& json, std::string_view key, const PolygonError& error) {
-    json.key(key).begin_object(line).key("largest").number(error.largest);
+    json.key(key).begin_object(one_line).key("largest").number(error.largest);
     json.key("root_mean_square").number(error.root_mean_square).end_object();
 }
 
 void write_fitting(JsonWriter& json, const Fitting& fitting) {
-    json.key("fitting").begin_object(line).key("measured").integer(fitting.measured);
-    json.key("points").integer(fitting.points).key("change");
-    json.string(fitting.fit == Fit::AsMeasured ? "none" : fitting.fit == Fit::Cut ? "cut" : "resampled");
+    begin_fitting(json, fitting);
     json.key("spacing");
     if (fitting.fit == Fit::Resampled)
         json.string(fitting.spacing == Spacing::Index ? "index" : "chord-length");
@@ -52,7 +48,12 @@ void write_method(JsonWriter& json, const ReverseOptions& options) {
 
 /// Where the parameter of all levels begins.
 void write_origin(JsonWriter& json, const Knots& knots) {
-    json.key("origin").begin_object(line).key("value").number(knots.origin().to_double()).key("exact").begin_array();
+    json.key("origin")
+        .begin_object(one_line)
+        .key("value")
+        .number(knots.origin().to_double())
+        .key("exact")
+        .begin_array();
     for (const Rational& coefficient : knots.origin().coefficients(knots.system().field()))
         json.string(to_string(coefficient));
     json.end_array().end_object();
@@ -67,7 +68,7 @@ void write_level(JsonWriter& json, const PyramidReport& report, std::size_t leve
     json.key("longest").number(lengths.empty() ? 0 : *std::ranges::max_element(lengths));
     json.key("gain").number(report.analysis.gains[level + 1]);
     write_error(json, "approximation", report.errors.approximations[level + 1]);
-    json.key("at").begin_array(line);
+    json.key("at").begin_array(one_line);
     for (const std::size_t point : kept.details.points) json.integer(point);
     json.end_array().key("details");
     write_rows(json, kept.details.vectors, dimension);

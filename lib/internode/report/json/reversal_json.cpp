@@ -12,14 +12,6 @@ namespace internode {
 
 namespace {
 
-constexpr JsonWriter::Layout line = JsonWriter::Layout::Line;
-
-void write_fitting(JsonWriter& json, const Fitting& fitting) {
-    json.key("fitting").begin_object(line).key("measured").integer(fitting.measured);
-    json.key("points").integer(fitting.points).key("change");
-    json.string(fitting.fit == Fit::AsMeasured ? "none" : fitting.fit == Fit::Cut ? "cut" : "resampled").end_object();
-}
-
 void write_rule(JsonWriter& json, const std::optional<ReverseRule>& rule) {
     json.key("rule");
     if (!rule) {
@@ -27,7 +19,7 @@ void write_rule(JsonWriter& json, const std::optional<ReverseRule>& rule) {
         return;
     }
     json.begin_object().key("production").string(production_text(*rule)).key("arity").integer(rule->arity);
-    json.key("first").number(static_cast<double>(rule->first)).key("weights").begin_array(line);
+    json.key("first").number(static_cast<double>(rule->first)).key("weights").begin_array(one_line);
     for (const Rational& weight : rule->weights) json.string(to_string(weight));
     json.end_array().key("gain").string(to_string(gain(*rule))).end_object();
 }
@@ -36,7 +28,7 @@ void write_levels(JsonWriter& json, const ReversalReport& report) {
     assert(!report.rule || report.levels.size() + 1 == report.polygons.size());
     json.key("levels").begin_array();
     for (std::size_t down = 1; down < report.polygons.size(); ++down) {
-        json.begin_object(line).key("points").integer(report.polygons[down].size() / report.dimension);
+        json.begin_object(one_line).key("points").integer(report.polygons[down].size() / report.dimension);
         if (report.rule) {
             json.key("largest_error").number(report.levels[down - 1].largest_error);
             json.key("rms_error").number(report.levels[down - 1].rms_error);
@@ -52,7 +44,7 @@ void write_points(JsonWriter& json, const ReversalReport& report) {
     const std::vector<double>& points = report.polygons.back();
     json.key("points").begin_array();
     for (std::size_t row = 0; row < points.size() && json.good(); row += report.dimension) {
-        json.begin_array(line);
+        json.begin_array(one_line);
         for (std::size_t i = row; i < row + report.dimension; ++i) json.number(points[i]);
         json.end_array();
     }
@@ -67,8 +59,9 @@ std::string reversal_json(const ReversalReport& report) {
     JsonWriter json(sink);
     json.begin_object();
     write_heading(json, "internode-reversal", report.generator);
-    json.key("grammar").begin_object(line).key("name").string(report.name).end_object();
-    write_fitting(json, report.fitting);
+    json.key("grammar").begin_object(one_line).key("name").string(report.name).end_object();
+    begin_fitting(json, report.fitting);
+    json.end_object();
     json.key("phase").integer(report.phase);
     write_rule(json, report.rule);
     write_levels(json, report);

@@ -10,8 +10,6 @@ namespace internode {
 
 namespace {
 
-constexpr JsonWriter::Layout line = JsonWriter::Layout::Line;
-
 void write_optional(JsonWriter& json, const std::optional<bool>& value) {
     if (value)
         json.boolean(*value);
@@ -26,7 +24,7 @@ void write_decision(JsonWriter& json, const Verdict& verdict) {
     else
         json.boolean(verdict.decision == Decision::Valid);
     json.key("exactness").string(verdict.exact ? "exact" : "enclosure");
-    json.key("theorems").begin_array(line);
+    json.key("theorems").begin_array(one_line);
     for (const std::string& theorem : verdict.theorems) json.string(theorem);
     json.end_array();
 }
@@ -39,7 +37,7 @@ void write_ratio(JsonWriter& json, const Verdict& verdict) {
         json.null();
     json.key("ratio");
     write_quantity(json, verdict.ratio, verdict.field);
-    json.key("enclosure").begin_object(line);
+    json.key("enclosure").begin_object(one_line);
     json.key("lower").number(verdict.ratio.bounds.lower);
     json.key("upper").number(verdict.ratio.bounds.upper);
     json.end_object();
@@ -58,7 +56,7 @@ void write_symbols(JsonWriter& json, const Verdict& verdict, const Alphabet& alp
     };
     json.key("symbols").begin_array();
     for (std::size_t i = 0; i < alphabet.size(); ++i) {
-        json.begin_object(line).key("name").string(alphabet.name(to_symbol(i)));
+        json.begin_object(one_line).key("name").string(alphabet.name(to_symbol(i)));
         json.key("length");
         write_entry(verdict.lengths, i);
         json.key("frequency");
@@ -72,7 +70,7 @@ void write_symbols(JsonWriter& json, const Verdict& verdict, const Alphabet& alp
 void write_classes(JsonWriter& json, const Verdict& verdict, const Alphabet& alphabet) {
     json.key("classes").begin_array();
     for (const SymbolClass& symbol_class : verdict.classes) {
-        json.begin_object(line).key("symbols");
+        json.begin_object(one_line).key("symbols");
         write_word(json, symbol_class.symbols, alphabet);
         json.key("final").boolean(symbol_class.final);
         json.key("basic");
@@ -88,7 +86,7 @@ void write_classes(JsonWriter& json, const Verdict& verdict, const Alphabet& alp
 void write_reasons(JsonWriter& json, const Verdict& verdict, const Alphabet& alphabet) {
     json.key("reasons").begin_array();
     for (const Reason& reason : verdict.reasons) {
-        json.begin_object(line).key("code").string(to_string(reason.code));
+        json.begin_object(one_line).key("code").string(to_string(reason.code));
         json.key("symbols");
         write_word(json, reason.symbols, alphabet);
         json.key("message").string(reason.message).end_object();

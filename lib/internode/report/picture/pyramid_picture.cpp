@@ -15,8 +15,6 @@ namespace internode {
 
 namespace {
 
-constexpr std::size_t few_points = 150; // vertices that are still marked
-
 /// The levels as plane polygons: two coordinates, or numbers over their Greville abscissae.
 std::vector<std::vector<Point2>> plane_polygons(const PyramidReport& report) {
     const std::size_t dimension = report.kept.coarse.dimension();
@@ -99,6 +97,7 @@ std::string pyramid_picture(const PyramidReport& report, const Generator& genera
                                 SvgPlace::File);
     text += shared_polygon("fine", grid.path(polygons.back(), closed));
     text += title_text(title_of(report), {.x = picture_width / 2, .y = 28});
+    constexpr std::size_t few_points = 150; // vertices that are still marked
     for (std::size_t place = 0; place < polygons.size(); ++place) {
         const std::size_t level = polygons.size() - 1 - place;
         const std::vector<Point2>& polygon = polygons[level];

@@ -15,8 +15,6 @@ namespace internode {
 
 namespace {
 
-constexpr double border = 0.03;         // part of the size, for lines and dots at the edge
-constexpr std::size_t few_points = 200; // vertices that are still marked
 constexpr std::size_t most_columns = 3; // panels side by side
 
 std::vector<Point2> plane(const std::vector<double>& points, std::size_t dimension) {
@@ -32,7 +30,8 @@ std::vector<Point2> plane(const std::vector<double>& points, std::size_t dimensi
 }
 
 /// The box of the original, which approximations leave by little, fills a panel.
-PanelGrid grid_for(const std::vector<Point2>& original, std::size_t columns, bool is_graph) {
+PanelGrid grid_around(const std::vector<Point2>& original, std::size_t columns, bool is_graph) {
+    constexpr double border = 0.03; // part of the size, for lines and dots at the edge
     PlaneBox box;
     box.include(original);
     const Point2 size{.x = box.size().x * (1 + 2 * border), .y = box.size().y * (1 + 2 * border)};
@@ -62,10 +61,11 @@ std::vector<Panel> panels_of(const ReversalPicture& picture) {
 std::string reversal_picture(const ReversalPicture& picture) {
     if (picture.dimension == 0 || picture.original.size() < picture.dimension)
         throw std::invalid_argument("reversal_picture: no point to draw");
+    constexpr std::size_t few_points = 200; // vertices that are still marked
     const std::vector<Point2> original = plane(picture.original, picture.dimension);
     const bool is_graph = picture.dimension == 1;
     const std::vector<Panel> panels = panels_of(picture);
-    const PanelGrid grid = grid_for(original, std::min(panels.size(), most_columns), is_graph);
+    const PanelGrid grid = grid_around(original, std::min(panels.size(), most_columns), is_graph);
     std::string text = svg_open({.width = picture_width,
                                  .height = grid.bottom(panels.size()),
                                  .title = picture.title,

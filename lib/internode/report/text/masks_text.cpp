@@ -14,7 +14,7 @@ namespace internode {
 namespace {
 
 constexpr std::size_t listed_lengths = 12;
-constexpr std::string_view mark = "*";
+constexpr std::string_view final_mark = "*";
 
 std::string text_of(const Number& number, const IntervalSystem& system) {
     return number_text(number, system.field(), system.ratio_name());
@@ -70,7 +70,7 @@ std::string decompositions_text(const MaskTable& table) {
     TextTable rows({Align::Left, Align::Left, Align::Left, Align::Left, Align::Left});
     for (std::size_t v = 0; v < table.masks.size(); ++v) {
         std::string word = printable(to_string(table.masks[v].word, alphabet));
-        std::string is_persistent(table.graph.persistent[v] ? mark : "");
+        std::string is_persistent(table.graph.persistent[v] ? final_mark : "");
         std::string arrow = "->";
         for (const MaskEntry& entry : table.masks[v].entries) {
             rows.row({is_persistent, word, arrow, printable(to_string(entry.word, alphabet)),
@@ -104,7 +104,7 @@ TextTable windows_table(const MaskTable& table, Style style) {
         rows.row(std::move(cells));
     };
     for (const WindowRow& row : table.windows) {
-        std::string is_persistent(row.persistent ? mark : "");
+        std::string is_persistent(row.persistent ? final_mark : "");
         std::string name = window_name(row.stencils.window, alphabet);
         for (std::size_t c = 0; c < row.children.size(); ++c) {
             const bool is_named = style != Style::Narrow;
