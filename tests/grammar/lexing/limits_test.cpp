@@ -7,6 +7,7 @@
 
 #include "internode/grammar/intervals/parse.h"
 #include "internode/grammar/intervals/print.h"
+#include "internode/grammar/lexing/normal_form.h"
 #include "tests/fixtures/small_stack.h"
 #include "tests/fixtures/texts.h"
 
@@ -20,14 +21,25 @@ namespace internode {
 
 namespace {
 
+using testing::ElementsAre;
 using testing::EndsWith;
 using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
 using testing::StartsWith;
 using tests::repeated;
 
 std::string first_error(std::string_view text) {
     const ParsedGrammar parsed = parse_grammar(text, "t");
     return parsed.errors.empty() ? "" : parsed.errors.front().message;
+}
+
+std::vector<std::string> refusals_of_normal_form(std::string_view printed) {
+    Complaints complaints("L -> L", "t");
+    check_normal_form(printed, complaints);
+    std::vector<std::string> messages;
+    for (const Diagnostic& error : std::move(complaints).diagnostics()) messages.push_back(error.message);
+    return messages;
 }
 
 } // namespace
@@ -89,6 +101,25 @@ TEST(Limits, OfWhatIsWrittenOut) {
     std::string rules;
     for (int i = 0; i < 4; ++i) rules += fmt::format("B{0:1>99} -> B{0:1>99}^50000\n", i);
     EXPECT_THAT(first_error(rules), StartsWith("written out, this makes a text of 20"));
+}
+
+TEST(Limits, OfEveryLineThatIsWrittenOutToTheByte) {
+    const std::string most(max_line_bytes, 'L');
+    for (const std::string_view before : {"", "L\n"})
+        for (const std::string_view after : {"", "\nLL\n"}) {
+            EXPECT_THAT(refusals_of_normal_form(fmt::format("{}{}{}", before, most, after)), IsEmpty());
+            EXPECT_THAT(refusals_of_normal_form(fmt::format("{}{}L{}", before, most, after)),
+                        ElementsAre("written out, this makes a line of 12582913 bytes, more than 12582912"));
+        }
+}
+
+TEST(Limits, OfTheTextThatIsWrittenOutToTheByte) {
+    std::string text = repeated("1234567\n", max_grammar_bytes / 8);
+    EXPECT_THAT(refusals_of_normal_form(text), IsEmpty());
+    text += '1';
+    EXPECT_THAT(refusals_of_normal_form(text),
+                ElementsAre("written out, this makes a text of 16777217 bytes, more than 16777216"));
+    EXPECT_THAT(refusals_of_normal_form(std::string(max_grammar_bytes + 1, '1')), SizeIs(2)) << "line and text";
 }
 
 TEST(Limits, OfNames) {

@@ -12,10 +12,10 @@ namespace internode {
 
 void check_normal_form(std::string_view printed, Complaints& complaints) {
     std::size_t longest = 0;
-    for (std::size_t start = 0; start < printed.size();) {
-        const std::size_t end = std::min(printed.find('\n', start), printed.size());
-        longest = std::max(longest, end - start);
-        start = end + 1;
+    std::size_t line = 0;
+    for (const char byte : printed) {
+        line = byte == '\n' ? 0 : line + 1;
+        longest = std::max(longest, line);
     }
     const auto refuse = [&](std::string_view what, std::size_t bytes, std::size_t limit) {
         complaints.add("grammar.normal-form-too-large", {0, 1},
