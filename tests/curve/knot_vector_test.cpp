@@ -19,6 +19,7 @@ namespace {
 using reference::DeBoorCurve;
 using reference::Real;
 using ::testing::ElementsAre;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using tests::Random;
 using tests::system_with;
@@ -145,6 +146,17 @@ TEST(KnotVector, FreeLengthsAndEqualLengthsAreAmbiguous) {
 TEST(KnotVector, IntervalsThatNoScaleFitsAreNamed) {
     expect_refused(system_with({"AB", "BBB"}), closed(2, 2, {"0", "1", "4"}), "1, 3 are not lengths of the grammar");
     expect_refused(tests::fibonacci(), closed(2, 2, {"0", "1", "2.618"}), "1, 809/500 are not lengths");
+}
+
+TEST(KnotVector, ARefusalListsTheLengthsOfEightSymbolsAtMost) {
+    const KnotVector knots = closed(2, 2, {"0", "1", "3"});
+    std::string listed = "at any scale: A = 1";
+    for (const char next : std::string("BCDEFGH")) listed += std::string(", ") + next + " = 1";
+    const auto refusal = [&knots](const std::vector<std::string>& rules) {
+        return fit_knots(system_with(rules), knots).problems.at(0);
+    };
+    EXPECT_THAT(refusal({"AB", "BC", "CD", "DE", "EF", "FG", "GH", "HA"}), EndsWith(listed));
+    EXPECT_THAT(refusal({"AB", "BC", "CD", "DE", "EF", "FG", "GH", "HI", "IA"}), EndsWith(listed + ", …"));
 }
 
 TEST(KnotVector, RefusesAnotherNumberOfKnots) {

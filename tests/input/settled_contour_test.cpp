@@ -72,6 +72,18 @@ TEST(SettledContour, RefusesKnotsThatAreNoRefinement) {
     EXPECT_THAT(refused("[[0],[1]]", of_degree_1(1'000'000, false)), HasSubstr("at most 100000 levels"));
 }
 
+TEST(SettledContour, ClampsUnlessItsKnotsClampBothEndsWhole) {
+    const auto is_clamped = [](const std::string& knots) {
+        const std::string text = R"({"degree":2,"points":[[0],[1],[2],[3],[4]],"knots":)" + knots + "}";
+        return settled(text, asked(0)).fitting.clamped;
+    };
+    EXPECT_FALSE(is_clamped("[0,0,0,1,2,3,3,3]"));
+    EXPECT_TRUE(is_clamped("[0,0,0,1,2,3,3,4]"));
+    EXPECT_TRUE(is_clamped("[0,0,0,1,2,3,4,4]"));
+    EXPECT_TRUE(is_clamped("[0,1,1,2,3,4,4,4]"));
+    EXPECT_TRUE(is_clamped("[0,0,1,2,3,4,4,4]"));
+}
+
 TEST(SettledContour, KeepsTheOriginOfARefinedFile) {
     const std::string fine = R"({"degree":1,"closed":true,"points":[[0],[1],[2],[3]],"word":"A A A A","origin":"7/2",)"
                              R"("lengths":{"A":"1/2"}})";
