@@ -5,6 +5,7 @@
 #include "tests/fixtures/temporary_folder.h"
 
 #include <atomic>
+#include <csignal>
 #include <string>
 #include <thread>
 
@@ -12,6 +13,7 @@
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/time.h>
 #include <sys/un.h>
 #include <unistd.h>
 
@@ -175,6 +177,62 @@ TEST(InputFile, ReadsAFifoToItsEnd) {
     });
     EXPECT_EQ(read_input(folder / "fifo").text, "1,2\n");
     writer.join();
+}
+
+/// Where should_stop of the next test writes; until it has written, poll is refused and read goes without it.
+int late_writer = -1;
+rlimit usual_files{};
+
+bool write_at_second_question() {
+    ++questions;
+    rlimit files = usual_files;
+    if (questions == 1) files.rlim_cur = 0;
+    ::setrlimit(RLIMIT_NOFILE, &files);
+    if (questions == 2) {
+        (void)!::write(late_writer, "1,2\n", 4);
+        ::close(late_writer);
+    }
+    return false;
+}
+
+/// Interrupts a sleeping read again and again while it lives.
+class Alarms {
+public:
+    Alarms() {
+        struct sigaction action {};
+        action.sa_handler = [](int) {};
+        ::sigaction(SIGALRM, &action, &saved_);
+        const itimerval often{{0, 20'000}, {0, 20'000}};
+        ::setitimer(ITIMER_REAL, &often, nullptr);
+    }
+    Alarms(const Alarms&) = delete;
+    Alarms& operator=(const Alarms&) = delete;
+    ~Alarms() {
+        const itimerval never{};
+        ::setitimer(ITIMER_REAL, &never, nullptr);
+        ::sigaction(SIGALRM, &saved_, nullptr);
+    }
+
+private:
+    struct sigaction saved_ {};
+};
+
+TEST(InputFile, ReadsOnAfterAReadThatFoundNothingOrWasInterrupted) {
+    ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &usual_files), 0);
+    for (const int flags : {O_NONBLOCK, 0}) {
+        int ends[2];
+        ASSERT_EQ(::pipe2(ends, flags | O_CLOEXEC), 0);
+        late_writer = ends[1];
+        questions = 0;
+        const StandardInput standard_input(ends[0]);
+        const Alarms alarms;
+        const InputText input = read_input("-", {.should_stop = write_at_second_question});
+        ::setrlimit(RLIMIT_NOFILE, &usual_files);
+        EXPECT_FALSE(input.error) << input.error->message;
+        EXPECT_EQ(input.text, "1,2\n");
+        EXPECT_EQ(questions, 3) << "nothing, the text, the end";
+        ::close(ends[0]);
+    }
 }
 
 TEST(InputFile, LeavesNoDescriptorBehindAndNoneBelowThree) {

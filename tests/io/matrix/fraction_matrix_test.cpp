@@ -4,6 +4,7 @@
 
 #include "internode/io/csv.h"
 #include "internode/io/file/limits.h"
+#include "tests/fixtures/texts.h"
 
 #include <gmock/gmock.h>
 
@@ -114,6 +115,17 @@ TEST(FractionMatrix, TrustsNoCount) {
     std::string wide;
     for (std::size_t i = 0; i <= max_matrix_side; ++i) wide += "0 ";
     EXPECT_THAT(refusal(wide).message, HasSubstr("1000000 columns"));
+}
+
+TEST(FractionMatrix, RefusesTheFirstEntryBeyondTheLimitWithoutItsZeros) {
+    constexpr std::uint64_t columns = 1'000;
+    const std::string ones = tests::repeated("1 ", columns) + '\n';
+    const std::string zeros = tests::repeated("0 ", columns) + '\n';
+    const std::string last = "0 1 " + tests::repeated("0 ", columns - 2) + '\n';
+    const std::string most = zeros + tests::repeated(ones, max_matrix_entries / columns);
+    const Diagnostic error = refusal(most + last + last);
+    EXPECT_EQ(place(error), "2002:3");
+    EXPECT_EQ(error.message, "more than 2000000 entries that are not 0, the limit");
 }
 
 TEST(FractionMatrix, EveryPrefixAndEveryDamagedByteIsReadOrRefused) {
