@@ -85,6 +85,17 @@ TEST(Smoothness, TensionKeepsOneDerivativeUpToItsBound) {
     EXPECT_EQ(smoothness(four_point(Rational(0) - Rational(1))).value().convergence, SchemeConvergence::Refuted);
 }
 
+TEST(Smoothness, OnlyFirstDifferencesThatDoNotShrinkRefuteConvergence) {
+    // The four-point scheme no longer converges at w = 1/2; its second differences grow long before.
+    EXPECT_EQ(smoothness(four_point(Rational(1, 2))).value().convergence, SchemeConvergence::Refuted);
+    const Smoothness result = smoothness(four_point(fraction(4999, 10'000))).value();
+    EXPECT_LT(result.differences.front().radius.lower, 1);
+    EXPECT_GT(result.differences.back().radius.lower, 1);
+    EXPECT_EQ(result.convergence, SchemeConvergence::NotDecided);
+    EXPECT_EQ(result.reason, "the first differences were not seen to shrink within " +
+                                 std::to_string(result.differences.front().radius.steps) + " steps");
+}
+
 TEST(Smoothness, CornerCuttingAtThirdsIsBoundedFromBothSides) {
     // d'_{2j} = (d_{j-1} + d_j)/3, d'_{2j+1} = d_j/3: two steps take (d_{j-1}, d_j) to a ninth of a Fibonacci step.
     const double radius = (1 + std::sqrt(5.0)) / 6;

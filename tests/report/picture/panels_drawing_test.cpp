@@ -81,6 +81,27 @@ TEST(PyramidDrawing, EveryLevelIsItsPolygonOverTheFineOneFinestFirst) {
     }
 }
 
+/// A square of side 1 under a coarse level that reaches beyond its first or last x or y by so much.
+TEST(PyramidDrawing, PanelsShowAllLevelsUpToHalfTheFinePolygonBeyondIt) {
+    constexpr double border = 0.03;
+    const std::vector<double> square{0, 0, 1, 0, 1, 1, 0, 1};
+    for (const double reach : {0.0, 0.25, 0.5, 40.0})
+        for (const auto& [x, y] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+            PyramidReport report = report_of(1);
+            report.analysis.polygons = {square, square};
+            report.analysis.polygons[0].insert(report.analysis.polygons[0].end(),
+                                               {x < 0 ? -reach : 1 + x * reach, y < 0 ? -reach : 1 + y * reach});
+            const Panel panel =
+                tests::panels_of(tests::read_markup(pyramid_picture(report, {"0", "internode"}))).front();
+            const WayToScreen way = way_of(plane_points(square), panel.shapes[0].runs[0].points);
+            const double shown = std::min(reach, 0.5);
+            EXPECT_NEAR(panel.width / way.right, 1 + 2 * border + (x == 0 ? 0 : shown), 0.01);
+            EXPECT_NEAR(panel.height / way.up, 1 + 2 * border + (y == 0 ? 0 : shown), 0.01);
+            EXPECT_NEAR((way.x - panel.corner.x) / way.right, border + (x < 0 ? shown : 0), 0.01);
+            EXPECT_NEAR((panel.corner.y + panel.height - way.y) / way.up, border + (y < 0 ? shown : 0), 0.01);
+        }
+}
+
 TEST(PyramidDrawing, LabelsStandBelowTheirPanels) {
     const PyramidReport report = report_of(4);
     const tests::Element root = tests::read_markup(pyramid_picture(report, {"0", "internode"}));
