@@ -13,7 +13,6 @@
 
 namespace internode {
 
-/// A named limit, as `internode limits` prints it.
 inline constexpr std::size_t max_grammar_bytes = std::size_t{16} << 20;
 inline constexpr std::size_t max_line_bytes = std::size_t{12} << 20; ///< a word has no line breaks: it must fit
 inline constexpr std::size_t max_symbols = 100'000;
@@ -31,13 +30,13 @@ inline constexpr std::size_t max_point_letters = 1'000;
 inline constexpr std::size_t max_definitions = 10'000;
 inline constexpr std::size_t max_tables = 1'000;
 inline constexpr std::size_t max_cycle_items = 10'000;
-inline constexpr std::size_t max_predecessor_modules =
-    1'000; ///< a match costs as many steps, at every module of a word
+inline constexpr std::size_t max_predecessor_modules = 1'000; ///< steps of a match, at every module of a word
 inline constexpr std::size_t max_point_modules = 100'000;
 inline constexpr std::size_t max_expression_instructions = 100'000;
 inline constexpr std::size_t max_point_instructions = 1'000'000;
 inline constexpr std::size_t max_repeated_instructions = 100'000; ///< `P(v + w)^1000` repeats 3 operations 999 times
 
+/// As `internode limits` prints them.
 inline constexpr std::array<Limit, 21> grammar_limits{{
     {"grammar text", max_grammar_bytes, "bytes"},
     {"line of a grammar", max_line_bytes, "bytes"},
