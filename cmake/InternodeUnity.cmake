@@ -4,6 +4,10 @@
 function(internode_unite_rooms target)
   set_property(TARGET ${target} PROPERTY UNITY_BUILD_MODE GROUP)
   set_property(TARGET ${target} PROPERTY UNITY_BUILD_CODE_BEFORE_INCLUDE "// NOLINTNEXTLINE(bugprone-suspicious-include)")
+  # g++ takes the parts of a unity source for headers, whose types may not use anonymous namespaces.
+  if(CMAKE_UNITY_BUILD)
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  endif()
   get_target_property(sources ${target} SOURCES)
   list(FILTER sources INCLUDE REGEX "\\.cpp$")
   foreach(source IN LISTS sources)
