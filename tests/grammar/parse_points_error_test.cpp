@@ -246,6 +246,8 @@ TEST(ParsePointsError, OfTheShapeOfARule) {
         {"min : P(v) -> P(v)", "2:1 `min` is a word of the language | choose another name\n"},
         {"P(v) : -> P(v)",
          "2:6 no condition after `:` | a rule is `label : left < module > right : condition -> successor : weight`\n"},
+        {"a : P(v) : -> P(v)",
+         "2:10 no condition after `:` | a rule is `label : left < module > right : condition -> successor : weight`\n"},
         {"P(v) -> P(v) :", "2:14 no weight after `:` | a condition stands before the arrow, a weight at the end\n"},
         {"P(v) -> P(v) : 0", "2:16 a weight must be positive | leave the rule out if it never applies\n"},
         {"P(v) -> P(v) : -1/2", "2:16 a weight must be positive | leave the rule out if it never applies\n"},

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 
 #include "internode/interval/class_graph.h"
+#include "internode/interval/class_radius.h"
 
 #include "tests/fixtures/interval_grammars.h"
 
 #include <gmock/gmock.h>
+
+#include <stdexcept>
 
 namespace internode {
 namespace {
@@ -21,6 +24,11 @@ TEST(ClassGraph, LeavesOutSymbolsThatCannotOccur) {
     ASSERT_EQ(graph.classes.size(), 1U);
     EXPECT_THAT(graph.classes.front().members, ElementsAre(1, 2));
     EXPECT_TRUE(graph.classes.front().final);
+}
+
+TEST(LargestRadius, IsNoneWithoutClasses) {
+    EXPECT_THAT(class_radii(ClassGraph(), {}), IsEmpty());
+    EXPECT_THROW((void)largest_radius({}), std::invalid_argument);
 }
 
 } // namespace

@@ -107,6 +107,15 @@ TEST(Smoothness, CornerCuttingAtThirdsIsBoundedFromBothSides) {
     EXPECT_FALSE(result.upper_is_proved);
 }
 
+TEST(Smoothness, IsNotBoundedBelowWhereNothingIsDecided) {
+    // Corners cut at 99/100, the two new points swapped: the products shrink, but too slowly for the norms.
+    const Smoothness result = smoothness(mask_of({99, 1, 1, 99}, 100)).value();
+    EXPECT_EQ(result.convergence, SchemeConvergence::NotDecided);
+    EXPECT_FALSE(result.derivatives);
+    EXPECT_FALSE(result.holder_lower);
+    EXPECT_GT(result.holder_upper.value(), 0);
+}
+
 TEST(Smoothness, SumsThatAreNotOneRefuteConvergence) {
     const Smoothness result = smoothness(mask_of({1, 1, 1}, 2)).value();
     EXPECT_EQ(result.convergence, SchemeConvergence::Refuted);

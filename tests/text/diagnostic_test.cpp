@@ -69,6 +69,13 @@ TEST(Diagnostic, CutsALongLineRoundTheCaret) {
     EXPECT_EQ(to_string(at(1, line)), "a.lsys:3:1: error: wrong\n    " + std::string(100, 'a') + "...\n    ^\n");
 }
 
+TEST(Diagnostic, CutsNothingBeforeACaretInColumn61) {
+    EXPECT_EQ(to_string(at(61, std::string(60, 'a') + "!")),
+              "a.lsys:3:61: error: wrong\n    " + std::string(60, 'a') + "!\n" + std::string(64, ' ') + "^\n");
+    EXPECT_EQ(to_string(at(62, std::string(61, 'a') + "!")),
+              "a.lsys:3:62: error: wrong\n    ..." + std::string(60, 'a') + "!\n" + std::string(67, ' ') + "^\n");
+}
+
 TEST(Diagnostic, CutsALongLineByItsColumnsNotItsCharacters) {
     // Of a letter and 40 characters of two columns each, 30 fit into the 60 columns before the caret.
     std::string wide;
