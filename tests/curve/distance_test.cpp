@@ -198,6 +198,24 @@ TEST(PolygonDistance, MeasuresBothSidesOfABreakApart) {
                 1e-8);
 }
 
+TEST(PolygonDistance, FindsTheErrorBelowALargerEnvelope) {
+    // Slope jumps of a zigzag cancel in the error, not in the envelope; those of a parabola in neither. The zigzag
+    // swells and fades: where it ended at once, its last jump would stand alone.
+    const int degree = 12;
+    std::vector<double> jumps(80);
+    for (std::size_t i = 0; i < 40; ++i) {
+        const auto from_end = static_cast<double>(std::min(i, 39 - i));
+        jumps[i] = (i % 2 == 0 ? 4 : -4) * std::min(1.0, from_end / 12);
+    }
+    std::fill(jumps.begin() + 60, jumps.begin() + 70, 2.25);
+    CurveData data{degree, Ends::Open, Word(jumps.size() + degree, a), 1, {0, 0}};
+    for (std::size_t i = 1; i + 1 < jumps.size(); ++i)
+        data.points.push_back(jumps[i] + 2 * data.points[i] - data.points[i - 1]);
+    const PolygonDistance distance = polygon_distance(curve_of(system_with({"AA"}), data));
+    EXPECT_NEAR(distance.error, 2.25 * (degree + 1) / 24, 1e-9);
+    EXPECT_NEAR(distance.envelope, 4.0 * (degree + 1) / 24, 1e-8);
+}
+
 TEST(PolygonDistance, ScalesWithPowersOfTwoBitForBit) {
     Random random(5);
     const Curve curve = random_curve(random, fibonacci(), 3, Shape::Closed, 9, 2);

@@ -4,10 +4,17 @@
 
 #include "internode/grammar/points/parse_points.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
+
+#include <cmath>
 
 namespace internode {
 namespace {
+
+using testing::AllOf;
+using testing::Each;
+using testing::Gt;
+using testing::Lt;
 
 /// Reads the only argument of the only rule's successor; numbers are the formals that begin with `s`.
 struct Reading {
@@ -74,6 +81,28 @@ TEST(SymbolicValue, SamplesFollowTheFunctions) {
     const auto value = reading.read();
     for (std::uint32_t sample = 0; sample < 6; ++sample)
         EXPECT_NEAR(value.value().coefficients.at(0).second.evaluate(reading.reader.sample(sample)), 0, 1e-12);
+}
+
+TEST(SymbolicValue, SamplesAreBelowOneAboveOneAndNegative) {
+    std::string formals = "u";
+    std::string sum = "0";
+    std::string zeros;
+    for (int i = 0; i < 20; ++i) {
+        formals += ", s" + std::to_string(i);
+        sum += " + s" + std::to_string(i);
+        zeros += ", 0";
+    }
+    Reading reading("points\nP(" + formals + ") -> P((" + sum + ") u" + zeros + ")");
+    ASSERT_TRUE(reading.read());
+    ASSERT_EQ(reading.reader.names().size(), 20U);
+    for (std::uint32_t sample = 0; sample < 9; sample += 3) {
+        EXPECT_THAT(reading.reader.sample(sample), Each(AllOf(Gt(0), Lt(1))));
+        EXPECT_THAT(reading.reader.sample(sample + 1), Each(Gt(1)));
+        EXPECT_THAT(reading.reader.sample(sample + 2), Each(Lt(0)));
+    }
+    const double golden = (std::sqrt(5.0) - 1) / 2; // its first and 20th multiple
+    EXPECT_DOUBLE_EQ(reading.reader.sample(0).front(), 0.4 + 0.5 * golden);
+    EXPECT_NEAR(reading.reader.sample(0).back(), 0.4 + 0.5 * (20 * golden - std::floor(20 * golden)), 1e-13);
 }
 
 TEST(SymbolicValue, SaysWhyNothingIsDecided) {

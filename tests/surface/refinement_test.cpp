@@ -188,5 +188,23 @@ TEST(GridPlan, GivesTheSameBytesForAnyThreadsAndSet) {
     EXPECT_THROW(plan.apply(grid.points(), 2, expected), std::invalid_argument);
 }
 
+TEST(GridPlan, HoldsWhatTheLastBlockReads) {
+    Random random(12);
+    const Knots u = random_knots(random, fibonacci(), 3, Shape::Closed, 5);
+    const Knots v = random_knots(random, fibonacci(), 2, Shape::Clamped, 4);
+    PlanOptions options;
+    options.points_per_row = 1;
+    std::size_t uneven = 0;
+    for (int steps = 1; steps <= 12; ++steps) {
+        const RefinementPlan along_u = refinement_plan(u, steps, options);
+        const std::vector<int> blocks = along_u.blocks();
+        const std::uint64_t rows = along_u.sizes().at(static_cast<std::size_t>(steps - blocks.back()));
+        const GridPlan plan(u, v, steps, 2);
+        EXPECT_EQ(plan.work_bytes(3), rows * (plan.input_columns() + plan.output_columns()) * 3 * sizeof(double));
+        uneven += blocks.front() != blocks.back() ? 1U : 0U;
+    }
+    EXPECT_GT(uneven, 0U);
+}
+
 } // namespace
 } // namespace internode
