@@ -42,6 +42,17 @@ TEST(SettledCurve, HasTheParameterOfItsKnots) {
     EXPECT_THAT(knots_of("A->AA", ring + R"(,"knots":[-3,-2,0,1])"), ElementsAre(-3, -2, 0, 1));
 }
 
+TEST(SettledCurve, HasTheEndsOfItsWord) {
+    const auto ends = [](const std::string& rules, const std::string& members) {
+        return settle(rules, R"("degree":1,"points":[[0],[1],[4]])" + members).value.value().curve.ends();
+    };
+    EXPECT_EQ(ends("A->AA, axiom AAAA", ""), Ends::Open);
+    EXPECT_EQ(ends("A->AA, axiom (AAA)", ""), Ends::Circular);
+    EXPECT_EQ(ends("A->AA", ",\"word\":\"AAAA\""), Ends::Open);
+    EXPECT_EQ(ends("A->AA", ",\"word\":\"(AAA)\""), Ends::Circular);
+    EXPECT_EQ(ends("A->AA", ",\"word\":[\"A\",\"A\",\"A\",\"A\"]"), Ends::Open);
+}
+
 TEST(SettledCurve, HasTheOriginOfItsFile) {
     EXPECT_THAT(knots_of("A->AA", ring + R"(,"word":["A","A","A"],"origin":"1/2")"), ElementsAre(0.5, 1.5, 2.5, 3.5));
     const Settled<SettledCurve> golden =

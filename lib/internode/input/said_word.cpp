@@ -15,12 +15,11 @@ namespace {
 
 /// The word that the JSON gives, as an array of names or as a text.
 std::optional<SaidWord> file_word(const InputPolygon& file, const Alphabet& alphabet, const Wording& wording) {
-    SaidWord said{{}, false, wording.thing + " word"};
+    SaidWord said{{}, wording.thing + " word"};
     if (file.word_text) {
         ParsedWord word = parse_word(file.word_text->text, alphabet, file.source + ": \"word\"");
         if (!word.errors.empty()) refuse(std::move(word.errors));
         said.axiom = std::move(word.axiom);
-        said.says_ends = word.says_ends;
         return said;
     }
     if (!file.word_letters) return std::nullopt;
@@ -54,7 +53,7 @@ int settled_degree(const std::optional<int>& said, const InputPolygon& file, con
 SaidWord callers_word(const std::string& text, const Alphabet& alphabet, const Wording& wording) {
     ParsedWord word = parse_word(text, alphabet, "<word>");
     if (!word.errors.empty()) refuse(std::move(word.errors));
-    return {std::move(word.axiom), word.says_ends, wording.option};
+    return {std::move(word.axiom), wording.option};
 }
 
 SaidWord settled_word(const IntervalSystem& system, const std::string& said, const InputPolygon& file,
@@ -67,14 +66,14 @@ SaidWord settled_word(const IntervalSystem& system, const std::string& said, con
                            wording.thing, word->axiom.word.size(), axiom->word.size()),
                fmt::format("say which one is meant with {}", wording.option));
     if (word) return *std::move(word);
-    if (axiom) return {*axiom, true, "the axiom"};
+    if (axiom) return {*axiom, "the axiom"};
     refuse(fmt::format("no word for the {} points of {}{}", points, file.source, wording.after),
            fmt::format("name the knot intervals, for example {} '{}' --repeat", wording.option,
                        to_string(Word{to_symbol(0)}, system.alphabet())));
 }
 
 bool says_circular(const SaidWord& word) {
-    return word.says_ends && word.axiom.ends == Ends::Circular;
+    return word.axiom.ends == Ends::Circular;
 }
 
 } // namespace internode

@@ -25,7 +25,6 @@ struct Wording {
 
 struct SaidWord {
     Axiom axiom;
-    bool says_ends = false;
     std::string origin; ///< "--word", "the polygon's word", "the axiom"
 };
 

@@ -60,8 +60,8 @@ Axiom coarse_word_of_knots(const KnotWord& fine, const InputPolygon& polygon, co
 SaidWord coarse_word(const IntervalSystem& system, const InputPolygon& polygon, const ContourOptions& options,
                      const FineKnots& fine, int degree) {
     if (!options.curve.word.empty()) return callers_word(options.curve.word, system.alphabet(), {});
-    if (system.grammar().axiom) return {*system.grammar().axiom, true, "the axiom"};
-    if (fine) return {coarse_word_of_knots(*fine, polygon, options, degree), false, "the knots"};
+    if (system.grammar().axiom) return {*system.grammar().axiom, "the axiom"};
+    if (fine) return {coarse_word_of_knots(*fine, polygon, options, degree), "the knots"};
     refuse("no word for the coarse polygon", fmt::format("name its knot intervals, for example --word '{}' --repeat",
                                                          to_string(Word{to_symbol(0)}, system.alphabet())));
 }
