@@ -7,20 +7,12 @@
 #include <stdexcept>
 
 namespace internode {
-namespace {
 
-bool machine_has_avx2() {
+Isa usable([[maybe_unused]] Isa isa) {
 #if defined(INTERNODE_HAS_AVX2)
-    return __builtin_cpu_supports("avx2") != 0;
-#else
-    return false;
+    if (isa != Isa::Plain && __builtin_cpu_supports("avx2") != 0) return Isa::Avx2;
 #endif
-}
-
-} // namespace
-
-Isa usable(Isa isa) {
-    return isa != Isa::Plain && machine_has_avx2() ? Isa::Avx2 : Isa::Plain;
+    return Isa::Plain;
 }
 
 template<typename Scalar>
