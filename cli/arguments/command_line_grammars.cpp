@@ -43,8 +43,8 @@ void CommandReader::add_masks() {
             ->check(CLI::Range(1, max_degree)),
         degree);
     Belonging all = for_intervals(points_hint);
-    all.places.front().without = {"--word"};
-    all.places.front().formats = {"text", "json", "dot", "svg", "c", "glsl"};
+    all.places = {
+        {.kinds = {Kind::Intervals}, .formats = {"text", "json", "dot", "svg", "c", "glsl"}, .without = {"--word"}}};
     put(masks->add_flag("--all", masks_.all, "All n^(d+1) words"), all);
     Belonging word = for_intervals(points_hint);
     word.places = {{.kinds = {Kind::Intervals}, .with = {"--automaton"}},
