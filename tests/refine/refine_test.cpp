@@ -151,6 +151,7 @@ TEST(Refine, OfAPointGrammarSaysWhatIsWrongAndWhere) {
     EXPECT_THROW((void)refine("points\nP(v) -> P(v/v.x)", pentagon, {}, 1), std::range_error);
     EXPECT_THROW((void)refine("@s0/13", pentagon, {.max_points = 39}, 3), LimitExceeded);
     EXPECT_EQ(refine("@s0/13", pentagon, {.max_points = 40}, 3).size(), 40U);
+    EXPECT_THROW((void)refine("@s0/13", pentagon, {.max_points = 40}, 1'000'000'000), LimitExceeded);
     EXPECT_THROW((void)curve_from("@s0/13", std::vector<double>{0, 1}, 2, {}), std::invalid_argument);
 }
 
