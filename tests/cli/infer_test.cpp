@@ -51,6 +51,18 @@ TEST(Infer, OpenCurvesHaveTwoForms) {
     EXPECT_THAT(full.out, EndsWith("P(v) > # -> P(v)\n# -> #\n"));
 }
 
+TEST(Infer, OpenCurvesLeaveOutTheShiftsThatTheirEndsRefuse) {
+    const Workspace here;
+    const std::string matrix = "0 0 0 1\n3/4 1/4 0 0\n0 3/4 1/4 0\n0 0 3/4 1/4\n";
+    const Outcome ring_shift = here.run({"infer", "-", "--open", "--shift", "1"}, matrix);
+    EXPECT_EQ(ring_shift.code, 3);
+    EXPECT_THAT(ring_shift.err, HasSubstr("near the other end"));
+    const Outcome other = here.run({"infer", "-", "--open"}, matrix);
+    EXPECT_EQ(other.code, 0) << other.err;
+    EXPECT_THAT(other.out, EndsWith("# < P(v) > P(v_r) P(v_rr) P(v_rrr) -> P(v_rrr)\nP(v_l) < P(v) -> "
+                                    "P(3/4 v_l + 1/4 v)\n"));
+}
+
 TEST(Infer, WritesAFileThatIsAGrammar) {
     const Workspace here;
     ASSERT_EQ(here.run({"infer", "data/matrices/chaikin-open.csv", "--open", "-o", "open.lsys"}).code, 0);
