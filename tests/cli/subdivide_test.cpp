@@ -236,6 +236,11 @@ TEST_F(Subdivide, DerivativesAreMoreColumnsOfTheLimit) {
     EXPECT_THAT(stop.out, HasSubstr("\n0,0,0,0,0,2,2,,,\n")) << "no tangent where the curve stops";
     here.file("far.csv", "0,0\n1e300,1e308\n1,1\n");
     EXPECT_EQ(frames_of("far.csv").code, 3);
+    here.file("fast.csv", "-1e308,0\n1e308,0\n");
+    const Outcome fast =
+        run({"fast.csv", "-d", "1", "-n", "0", "--clamped", "--word", "S", "--limit", "--derivatives"});
+    EXPECT_EQ(fast.code, 3) << "the first derivative alone is too large: the second one is 0";
+    EXPECT_THAT(fast.err, HasSubstr("larger than every double"));
 }
 
 TEST_F(Subdivide, DerivativesOfALineFarAwayDoNotBend) {
