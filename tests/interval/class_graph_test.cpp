@@ -26,6 +26,19 @@ TEST(ClassGraph, LeavesOutSymbolsThatCannotOccur) {
     EXPECT_TRUE(graph.classes.front().final);
 }
 
+TEST(ClassRadius, ExactOnesAreOrderedWhateverTheirBounds) {
+    ClassRadius two;
+    two.field = NumberField({-2, 1}, 2, 2);
+    two.value = exact_quantity(Number(2));
+    for (const Enclosure& bounds : {Enclosure{1, 2}, Enclosure{1, 3}}) {
+        ClassRadius root_of_three;
+        root_of_three.field = NumberField({-3, 0, 1}, 1, 2);
+        root_of_three.value = enclosed_quantity(bounds);
+        EXPECT_EQ(compare(two, root_of_three), std::partial_ordering::greater);
+        EXPECT_EQ(compare(root_of_three, two), std::partial_ordering::less);
+    }
+}
+
 TEST(LargestRadius, IsNoneWithoutClasses) {
     EXPECT_THAT(class_radii(ClassGraph(), {}), IsEmpty());
     EXPECT_THROW((void)largest_radius({}), std::invalid_argument);
