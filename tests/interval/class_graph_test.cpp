@@ -26,6 +26,18 @@ TEST(ClassGraph, LeavesOutSymbolsThatCannotOccur) {
     EXPECT_TRUE(graph.classes.front().final);
 }
 
+TEST(ClassGraph, AClassSplitsWhereASymbolBecomesSeveralOfIt) {
+    const auto splitting = [](const IntervalGrammar& grammar) {
+        std::vector<bool> result;
+        for (const IntervalClass& one : class_graph(grammar).classes) result.push_back(splits(one));
+        return result;
+    };
+    EXPECT_THAT(splitting(make_grammar({{"A", "A"}})), ElementsAre(false));
+    EXPECT_THAT(splitting(make_grammar({{"A", "A A"}})), ElementsAre(true));
+    EXPECT_THAT(splitting(make_grammar({{"A", "B"}, {"B", "A B"}})), ElementsAre(true));
+    EXPECT_THAT(splitting(make_grammar({{"A", "B B"}, {"B", "B"}})), ElementsAre(false, false));
+}
+
 TEST(ClassRadius, ExactOnesAreOrderedWhateverTheirBounds) {
     ClassRadius two;
     two.field = NumberField({-2, 1}, 2, 2);

@@ -116,8 +116,9 @@ ClassGraph class_graph(const IntervalGrammar& grammar) {
 }
 
 bool splits(const IntervalClass& one) {
+    const auto is_repeated = [](const auto& entry) { return entry.second > 1; };
     return std::ranges::any_of(
-        one.block, [](const SparseRow& row) { return row.size() > 1 || (row.size() == 1 && row.front().second > 1); });
+        one.block, [&](const SparseRow& row) { return row.size() > 1 || std::ranges::any_of(row, is_repeated); });
 }
 
 SparseMatrix transposed(const SparseMatrix& matrix) {
