@@ -158,6 +158,18 @@ TEST(JointRadius, ASchemeWithDoubleZerosOnlyDoesNotChangeItsSign) {
     EXPECT_FALSE(joint_radius(with_zeros({5}), 2).positive) << "negative everywhere";
 }
 
+TEST(JointRadius, OfBSplinesIsOneHoweverWideTheirMasks) {
+    for (const std::size_t degree : {5U, 13U, 17U}) { // products are of masks with up to 13 coefficients
+        std::vector<Rational> scheme = with_zeros(std::vector<long>((degree + 1) / 2, -4));
+        for (Rational& coefficient : scheme) coefficient /= Integer(1) << degree;
+        const JointRadius radius = joint_radius(scheme, 2);
+        EXPECT_TRUE(radius.positive);
+        EXPECT_LE(radius.lower, 1);
+        EXPECT_GE(radius.lower, 1 - fraction(1, 1'000'000'000)) << degree;
+        EXPECT_EQ(radius.upper, 1);
+    }
+}
+
 /// log_m in twice the bits that matter here: a long double errs by 1e-19, the bounds leave 1e-12.
 long double exponent_of(const Rational& radius, std::size_t order, std::size_t arity) {
     long numerator_exponent = 0;
