@@ -90,6 +90,17 @@ TEST(LetterCounts, SaturateExactlyAboveTheCap) {
     EXPECT_TRUE(letter_counts(fibonacci(), word("bbb"), 0, 2).saturated);
 }
 
+TEST(LetterCounts, SaturateBeforeTheyOverflow) {
+    // 18 · 8^n letters: 2^64 and 2^61 more in step 20.
+    const Morphism eightfold = morphism({"aaaaaaaa", "bbbbbbbb"});
+    const Word start = word("aaaaaabbbbbbbbbbbb");
+    constexpr std::uint64_t largest_cap = (std::uint64_t{1} << 63) - 1;
+    const LetterCounts before = letter_counts(eightfold, start, 19, largest_cap);
+    EXPECT_EQ(before.total, std::uint64_t{18} << 57);
+    EXPECT_FALSE(before.saturated);
+    EXPECT_TRUE(letter_counts(eightfold, start, 20, largest_cap).saturated);
+}
+
 TEST(LetterCounts, EndAtOnceForABillionSteps) {
     EXPECT_TRUE(letter_counts(fibonacci(), word("a"), 1'000'000'000).saturated);
     const LetterCounts fixed = letter_counts(morphism({"a"}), word("aa"), 1'000'000'000);
