@@ -115,6 +115,18 @@ TEST(SymbolicValue, SaysWhyNothingIsDecided) {
     }
 }
 
+TEST(SymbolicValue, ASumOfCoefficientsBeyondTheLimitsIsUndecided) {
+    const std::string half_of_the_limit(symbolic_limits.coefficient / 5, '0'); // digits of more than three bits
+    const auto text = [&](char last) {
+        const std::string large = "1" + half_of_the_limit;
+        return "points\nP(u, s) -> P((s / " + large + "0) u + (s / " + large + last + ") u, 0)";
+    };
+    EXPECT_TRUE(Reading(text('0')).read());
+    Reading coprime(text('1'));
+    EXPECT_FALSE(coprime.read());
+    EXPECT_EQ(coprime.reader.undecided(), "its coefficients are larger than the check goes");
+}
+
 TEST(SymbolicValue, RemembersCoordinates) {
     EXPECT_TRUE(Reading("points\nP(u) -> P((1, 2))").read().value().has_coordinates);
     EXPECT_TRUE(Reading("points\nP(u) -> P(u.x u)").read().value().has_coordinates);

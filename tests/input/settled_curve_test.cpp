@@ -82,6 +82,13 @@ TEST(SettledCurve, TakesKnotsBesideAWordThatAreTheWords) {
     EXPECT_THAT(refused("A->AA", word + R"(,"knots":[5,5])"), HasSubstr("2 knots beside a word that has 7"));
 }
 
+TEST(SettledCurve, ForgivesKnotsTheRoundingOfTheLargestOfThem) {
+    const std::string word = four + R"(,"word":["0","0","A","A","0","0"],"origin":)";
+    EXPECT_EQ(refused("A->AA", word + R"(0,"knots":[0,0,0,1.0000000000000008,2,2,2])"), "none");
+    EXPECT_EQ(refused("A->AA", word + R"(-2,"knots":[-2,-2,-2,-1.0000000000000008,0,0,0])"), "none");
+    EXPECT_THAT(refused("A->AA", word + R"(0,"knots":[0,0,0,1.000000000000001,2,2,2])"), HasSubstr("knot 4 is 1.0"));
+}
+
 TEST(SettledCurve, RefusesAnOriginThatIsNotTheFirstKnot) {
     EXPECT_THAT(refused("A->AA", four + R"(,"knots":[5,5,5,6,7,7,7],"origin":4)"),
                 HasSubstr("\"origin\" is not the knot where the domain begins"));

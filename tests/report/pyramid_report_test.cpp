@@ -55,6 +55,15 @@ TEST(PyramidReport, WarnsOfLooseEndsWithTheirGain) {
     EXPECT_THAT(loose_ends_warning(pyramid_report(std::move(analysis), std::move(kept), {}, "")), HasSubstr("G = "));
 }
 
+TEST(PyramidReport, DoesNotWarnOfLooseEndsThatAddNoNoise) {
+    Random random(4);
+    const Curve coarse = random_curve(random, fibonacci(), 3, Shape::Open, 6, 1);
+    ASSERT_TRUE(has_loose_ends(coarse.knots()));
+    Analysis analysis = analyse(coarse.knots(), 2, 1, std::vector<double>(refined_size(coarse, 2, 100'000).points, 4));
+    Pyramid kept = analysis.pyramid;
+    EXPECT_EQ(loose_ends_warning(pyramid_report(std::move(analysis), std::move(kept), {}, "")), "");
+}
+
 TEST(PyramidReport, DrawsAPanelPerLevelAndNamesAsText) {
     for (const std::size_t dimension : {1U, 2U, 3U})
         for (const Shape shape : {Shape::Closed, Shape::Clamped}) {
