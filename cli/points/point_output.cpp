@@ -146,8 +146,9 @@ void write_points(Sink& sink, const std::string& format, const std::vector<Drawn
             require_equal_columns(parts.front().strands.dimension, part.strands.dimension);
         write_csv_parts(sink, parts);
     } else if (format == "npy") {
-        refuse_several(parts.size(), format);
-        write_npy(sink, {parts.front().strands.dimension, parts.front().strands.points});
+        assert(parts.size() == 1);
+        const PointStrands& only = parts.front().strands;
+        write_npy(sink, {only.dimension, only.points});
     } else if (format == "obj") {
         std::size_t vertices = 0;
         for (const DrawnPart& part : parts) vertices += write_point_obj(sink, part.strands, vertices, context);
