@@ -63,6 +63,14 @@ TEST(FractionMatrix, ReportsDotsWithTheirPlaces) {
     EXPECT_THAT(read_fraction_csv("1 0\n: :\n0 1\n. .", "m").errors, SizeIs(2)) << "each line once";
 }
 
+TEST(FractionMatrix, DotsBesideADigitAreNone) {
+    for (const char* text : {"1:", ":1", "1..", "..1", "1\u2026", "\u2026/1"}) {
+        const Diagnostic error = refusal("1, 0\n1/2, " + std::string(text) + "\n0, 1\n");
+        EXPECT_EQ(place(error), "2:6") << text;
+        EXPECT_THAT(error.message, HasSubstr("is neither a fraction nor a decimal number")) << text;
+    }
+}
+
 TEST(FractionMatrix, ComplainsAtThePlace) {
     EXPECT_EQ(place(refusal("1, 2\n3, x\n")), "2:4");
     EXPECT_EQ(place(refusal("1, 2\n3, \n")), "2:4");
