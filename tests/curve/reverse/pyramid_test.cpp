@@ -218,6 +218,12 @@ TEST(Pyramid, MeasuresThePolygonErrorPointByPoint) {
     EXPECT_THROW((void)polygon_error(a, {}, 2), std::invalid_argument);
 }
 
+TEST(Pyramid, PolygonsWithoutPointsHaveNoError) {
+    const PolygonError error = polygon_error({}, {}, 2);
+    EXPECT_EQ(error.largest, 0);
+    EXPECT_EQ(error.root_mean_square, 0);
+}
+
 TEST(Pyramid, RefusesPolygonsThatDoNotFit) {
     const Knots knots = knots_of(fibonacci(), 2, Ends::Circular, word_of(fibonacci(), "AB"));
     EXPECT_THROW((void)analyse(knots, 1, 1, std::vector<double>{1, 2}), std::invalid_argument);
