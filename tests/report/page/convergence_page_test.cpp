@@ -14,6 +14,7 @@
 namespace internode {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using testing_report::curve_of;
@@ -58,6 +59,19 @@ TEST(ConvergencePage, DegreeOneHasNoErrorToPlot) {
     const std::string page = page_of(curve_of(system_of(testing_report::fibonacci), 1, Ends::Open), "line");
     EXPECT_THAT(page, Not(HasSubstr("slope −2")));
     EXPECT_THAT(page, HasSubstr("At degree 1 the polygon is the curve"));
+}
+
+TEST(ConvergencePage, ListsTheRulesOfUpToTwelveSymbols) {
+    const auto page = [](int symbols) {
+        std::string rules; // A->BB, B->CC, … and back
+        for (int i = 0; i < symbols; ++i) {
+            const std::string next(2, static_cast<char>('A' + (i + 1) % symbols));
+            rules += (i == 0 ? "" : ", ") + std::string(1, static_cast<char>('A' + i)) + "->" + next;
+        }
+        return page_of(curve_of(system_of(rules), 2, Ends::Circular), "ring");
+    };
+    EXPECT_THAT(page(12), HasSubstr("<code>L</code></td><td class=\"symbol\"><code>AA</code>"));
+    EXPECT_THAT(page(13), AllOf(HasSubstr("<h2>The grammar</h2>"), Not(HasSubstr("<code>M</code>"))));
 }
 
 TEST(ConvergencePage, NamesAreText) {
