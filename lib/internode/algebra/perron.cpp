@@ -50,12 +50,12 @@ RealRoot largest_real_root(const std::vector<std::pair<Polynomial, std::size_t>>
     for (int bits = first_bits;; bits *= 2) {
         const std::vector<RealRoot> candidates = largest_real_roots(factors, bits);
         assert(!candidates.empty());
-        const RealRoot& best = *std::ranges::max_element(
-            candidates, [](const RealRoot& a, const RealRoot& b) { return a.box.lower < b.box.lower; });
-        const bool unique = std::ranges::all_of(candidates, [&](const RealRoot& other) {
-            return other.factor == best.factor || other.box.upper < best.box.lower;
+        const auto largest = std::ranges::find_if(candidates, [&](const RealRoot& one) {
+            return std::ranges::all_of(candidates, [&](const RealRoot& other) {
+                return other.factor == one.factor || other.box.upper < one.box.lower;
+            });
         });
-        if (unique) return best;
+        if (largest != candidates.end()) return *largest;
     }
 }
 
