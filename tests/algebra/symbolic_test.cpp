@@ -128,5 +128,17 @@ TEST(Symbolic, BeyondTheLimitsThereIsNoResult) {
     SUCCEED() << "a dense power of many variables ends";
 }
 
+TEST(Symbolic, BothSidesOfAQuotientStayWithinTheLimits) {
+    Symbolic power = t();
+    while (2 * power.numerator().begin()->first.at(0).second <= symbolic_limits.degree) power = times(power, power);
+    const Symbolic inverse = divide(number("1"), power).value();
+    EXPECT_TRUE(divide(power, power).value().is_one());
+    EXPECT_TRUE(times(power, inverse).is_one());
+    EXPECT_FALSE(divide(power, inverse)) << "above";
+    EXPECT_FALSE(divide(inverse, power)) << "below";
+    EXPECT_FALSE(multiply(power, power)) << "above";
+    EXPECT_FALSE(multiply(inverse, inverse)) << "below";
+}
+
 } // namespace
 } // namespace internode
