@@ -106,8 +106,10 @@ TEST(SettledCurve, RefusesLengthsThatAreNotPositiveAtTheirPlace) {
                     testing::AllOf(HasSubstr("p.json:1:"), HasSubstr("error: the length of `L` must be positive")))
             << bad;
     EXPECT_EQ(refused("L->SL, S->L", word + R"("lengths":{"L":{"exact":["-3","2"]}})"), "none");
-    EXPECT_THAT(refused("A->AA", ring + R"(,"word":"BBB","lengths":{"B":0})"),
-                HasSubstr("must be a positive rational"));
+    for (const std::string lengths : {R"("B":0)", R"("C":1,"B":0)", R"("B":0,"C":1)"})
+        EXPECT_THAT(refused("A->AA", ring + R"(,"word":"BBB","lengths":{)" + lengths + "}"),
+                    HasSubstr("error: the length of `B` must be a positive rational"))
+            << lengths;
 }
 
 TEST(SettledCurve, SaysWhoMustSayMore) {
