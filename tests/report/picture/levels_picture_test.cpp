@@ -58,6 +58,14 @@ TEST(LevelsPicture, DrawsTheLinesOfAWordInsteadOfItsStrands) {
     EXPECT_THAT(svg, HasSubstr("3 points, 1 edge<"));
 }
 
+TEST(LevelsPicture, ExplainsDotsWhereALevelHasThem) {
+    const std::string dot = ">point</text>";
+    const std::vector<double> many(2 * 601, 1);
+    EXPECT_THAT(levels_picture(picture({level(0, triangle, true), level(1, many, true)})), HasSubstr(dot));
+    EXPECT_THAT(levels_picture(picture({level(0, many, true), level(1, triangle, true)})), HasSubstr(dot));
+    EXPECT_THAT(levels_picture(picture({level(0, many, true), level(1, many, true)})), Not(HasSubstr(dot)));
+}
+
 /// Numbers of all M and L commands stay in their panel.
 TEST(LevelsPicture, NothingIsClipped) {
     for (const std::vector<double>& points : {triangle,
