@@ -7,6 +7,7 @@
 #include "internode/point/infer/inference.h"
 #include "tests/reference/point_rows.h"
 
+#include <algorithm>
 #include <random>
 
 #include <gmock/gmock.h>
@@ -91,6 +92,20 @@ TEST(ReverseRules, WiderWindowsInvertTooAndAmplifyLess) {
         EXPECT_LT(gain(reverse_rule(scheme, 4).value()), last + 1);
     }
     EXPECT_LT(gain(reverse_rule(cubic_22, 2).value()), gain(reverse_rule(cubic_22).value()));
+}
+
+TEST(ReverseRules, OfAWindowHaveAsManyFinePointsAndAtMostOneMore) {
+    for (const UniformMask& scheme : {chaikin_13, cubic_22, four_point_25}) {
+        const std::size_t narrowest = reverse_rule(scheme)->weights.size();
+        for (std::size_t points = 0; points <= 12; ++points) {
+            const ReverseRule rule = reverse_rule_of_window(scheme, points).value();
+            const std::size_t odd = points > narrowest ? (points - narrowest) % 2 : 0;
+            EXPECT_EQ(rule.weights.size(), std::max(points, narrowest) + odd);
+            EXPECT_EQ(rule.weights, reverse_rule(scheme, (rule.weights.size() - narrowest) / 2)->weights);
+        }
+        EXPECT_LE(reverse_rule_of_window(scheme, 1'000'000)->weights.size(), max_reverse_window);
+    }
+    EXPECT_FALSE(reverse_rule_of_window(mask(2, 0, 2, {1, 1, 1, 1}), 9));
 }
 
 TEST(ReverseRules, InvertAllLaneRiesenfeldSchemes) {
