@@ -277,9 +277,18 @@ TEST(LevelsPlan, RefusesNoStepsAndWrongSizes) {
     const Curve curve = curve_over(system_of("L->SL, S->L"), 2, Ends::Circular, 5, 3, 9);
     EXPECT_THROW(LevelsPlan(curve.system(), 2, curve.word(), curve.ends(), 0), std::invalid_argument);
     const LevelsPlan plan(curve.system(), 2, curve.word(), curve.ends(), 2);
-    std::vector<double> out(plan.output_size() * 3 + 3);
-    EXPECT_THROW(plan.apply<double>(curve.points(), 3, out), std::invalid_argument);
     EXPECT_THROW((void)plan.start(3), std::out_of_range);
+    const std::vector<double> points(plan.input_size() * 3 + 3);
+    std::vector<double> out(plan.output_size() * 3 + 3);
+    for (std::size_t in = 0; in <= points.size(); ++in)
+        for (std::size_t made = plan.output_size() * 3 - 3; made <= out.size(); ++made) {
+            const auto apply = [&] { plan.apply<double>(std::span(points).first(in), 3, std::span(out).first(made)); };
+            if (in == plan.input_size() * 3 && made == plan.output_size() * 3)
+                EXPECT_NO_THROW(apply());
+            else
+                EXPECT_THROW(apply(), std::invalid_argument) << in << ' ' << made;
+        }
+    EXPECT_THROW(plan.apply<double>(points, 0, out), std::invalid_argument);
 }
 
 TEST(Plan, OfNoStepsCopies) {
