@@ -46,7 +46,7 @@ Reach reach_of(const RowPattern& pattern) {
 /// What is compared of two shifts.
 struct Merit {
     std::ptrdiff_t shift = 0;
-    Rational own_weight;
+    Rational own_weight; ///< of the strict predecessor in all its new points: large when they lie near
     std::size_t contexts = 0;
     std::size_t end_rules = 0;
     std::vector<Rational> weights;
@@ -117,7 +117,6 @@ ShiftedProduction production_of(const RowPattern& pattern, std::ptrdiff_t shift)
         for (StencilTerm& term : stencil) term.offset += row.quotient;
         successor.push_back(std::move(stencil));
     }
-    for (const Rational& weight : own_weights(pattern, shift)) result.own_weight += weight;
     result.production = with_shortest_contexts(1, std::move(successor));
     return result;
 }

@@ -35,11 +35,10 @@ struct InferenceProblem {
     std::vector<IrregularRow> rows; ///< ascending
 };
 
-/// The production of one shift, and what speaks for it.
+/// The production of one shift.
 struct ShiftedProduction {
     std::ptrdiff_t shift = 0;
     PointProduction production; ///< contexts as short as the stencils allow
-    Rational own_weight;        ///< weight of the strict predecessor in all its new points: large when they lie near
 };
 
 /// What the regular rows say.
