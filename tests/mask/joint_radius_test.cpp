@@ -170,6 +170,20 @@ TEST(JointRadius, OfBSplinesIsOneHoweverWideTheirMasks) {
     }
 }
 
+TEST(JointRadius, OfAveragesIsOneUpToThirteenCoefficients) {
+    std::vector<Rational> scheme{fraction(3, 2), fraction(1, 2)};
+    while (scheme.size() < 13) { // times (1 + z)/2
+        scheme.emplace_back(0);
+        for (std::size_t i = scheme.size() - 1; i > 0; --i) scheme[i] = (scheme[i] + scheme[i - 1]) / 2;
+        scheme[0] /= 2;
+        const JointRadius radius = joint_radius(scheme, 2);
+        EXPECT_FALSE(radius.positive) << "no symmetry";
+        EXPECT_LE(radius.lower, 1);
+        EXPECT_GE(radius.lower, 1 - fraction(1, 1'000'000'000)) << scheme.size();
+        EXPECT_EQ(radius.upper, 1);
+    }
+}
+
 /// log_m in twice the bits that matter here: a long double errs by 1e-19, the bounds leave 1e-12.
 long double exponent_of(const Rational& radius, std::size_t order, std::size_t arity) {
     long numerator_exponent = 0;
