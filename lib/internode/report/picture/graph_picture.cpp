@@ -72,7 +72,7 @@ bool touch(const Node& a, const Node& b, double radius) {
 double free_radius(const std::vector<Node>& nodes) {
     assert(nodes.size() > 1 && nodes.size() <= max_drawn_words);
     double radius = smallest_radius;
-    for (std::size_t a = 0; a < nodes.size(); ++a)
+    for (std::size_t a = 1; a < nodes.size(); ++a)
         for (std::size_t b = 0; b < a; ++b)
             while (touch(nodes[a], nodes[b], radius)) radius += 5;
     return radius;
