@@ -106,6 +106,7 @@ CommandLine CommandReader::read(int argc, const char* const* argv) {
     if (color_ != "auto") common_.color = color_ == "always" ? Color::Always : Color::Never;
     common_.threads = static_cast<int>(std::min<std::uint64_t>(threads_, max_threads));
     common_.isa = isa_of_environment();
+    common_.stores = stores_of_environment();
     common_.command_line = public_command_line(argc, argv);
     refuse_leftovers(app_);
     if (version_) return {common_, VersionOptions{}};

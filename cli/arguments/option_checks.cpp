@@ -67,4 +67,13 @@ Isa isa_of_environment() {
     throw failure(ExitCode::Usage, "INTERNODE_ISA is neither `plain` nor `avx2`", "it changes the speed, no result");
 }
 
+Stores stores_of_environment() {
+    const char* const wanted = std::getenv("INTERNODE_STORES");
+    if (wanted == nullptr || *wanted == '\0') return Stores::Measured;
+    if (wanted == std::string_view("cached")) return Stores::Cached;
+    if (wanted == std::string_view("streamed")) return Stores::Streamed;
+    throw failure(ExitCode::Usage, "INTERNODE_STORES is neither `cached` nor `streamed`",
+                  "it changes the speed, no result");
+}
+
 } // namespace internode::cli

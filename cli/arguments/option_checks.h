@@ -5,6 +5,7 @@
 #pragma once
 
 #include "internode/stencil/isa.h"
+#include "internode/stencil/stores.h"
 
 #include <cstdint>
 #include <optional>
@@ -30,5 +31,8 @@ namespace internode::cli {
 
 /// What INTERNODE_ISA in the environment asks for; Best when it says nothing. \throw Failure (Usage)
 [[nodiscard]] Isa isa_of_environment();
+
+/// What INTERNODE_STORES in the environment asks for; Measured when it says nothing. \throw Failure (Usage)
+[[nodiscard]] Stores stores_of_environment();
 
 } // namespace internode::cli

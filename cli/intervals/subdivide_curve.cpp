@@ -233,7 +233,8 @@ void write_picture(Sink& sink, const std::vector<SettledCurve>& curves, const Su
     std::vector<PlanarCurve> planar;
     for (const SettledCurve& loaded : curves) {
         Refinement refinement(loaded.curve);
-        refinement.advance(static_cast<int>(drawn.steps), ApplyOptions{context.threads, context.isa});
+        refinement.advance(static_cast<int>(drawn.steps),
+                           {.threads = context.threads, .isa = context.isa, .stores = context.stores});
         planar.push_back(planar_curve(loaded.curve, refinement, axes, loaded.coordinates));
     }
     write_curve_picture(
@@ -285,7 +286,7 @@ ExitCode run(const IntervalGrammar& grammar, const LoadedText&, const SubdivideO
     Output output(options.output.file);
     if (context.verbose) say(context, fmt::format("{} points from {}\n", size.points, point_count(curves)));
     const int steps = static_cast<int>(options.steps);
-    const ApplyOptions apply{context.threads, context.isa};
+    const ApplyOptions apply{.threads = context.threads, .isa = context.isa, .stores = context.stores};
     if (format == "svg")
         write_picture(output.sink(), curves, options, axes, context);
     else if (format == "json")

@@ -7,6 +7,7 @@
 #include "cli/requests/belonging.h"
 #include "internode/input/settled_contour.h"
 #include "internode/stencil/isa.h"
+#include "internode/stencil/stores.h"
 
 #include <array>
 #include <cstddef>
@@ -40,10 +41,11 @@ struct CommonOptions {
     Color color = Color::Auto;
     bool quiet = false;
     bool verbose = false;
-    int threads = 0;                ///< 0: all of the machine
-    Isa isa = Isa::Best;            ///< what INTERNODE_ISA in the environment says
-    std::string command_line;       ///< base names, no -o: stands in the outputs
-    std::vector<GivenOption> given; ///< the options on the command line, with where they belong
+    int threads = 0;                  ///< 0: all of the machine
+    Isa isa = Isa::Best;              ///< what INTERNODE_ISA in the environment says
+    Stores stores = Stores::Measured; ///< what INTERNODE_STORES in the environment says
+    std::string command_line;         ///< base names, no -o: stands in the outputs
+    std::vector<GivenOption> given;   ///< the options on the command line, with where they belong
 };
 
 /// What a command needs of its surroundings.

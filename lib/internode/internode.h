@@ -49,6 +49,7 @@
 #include "internode/stencil/cell_automaton.h"
 #include "internode/stencil/isa.h"
 #include "internode/stencil/plan.h"
+#include "internode/stencil/stores.h"
 
 // Curves and grids: refined, in the limit, backwards.
 #include "internode/curve/curve.h"

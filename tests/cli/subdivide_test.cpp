@@ -286,7 +286,7 @@ TEST_F(Subdivide, ConvergeReportsAndWritesThePage) {
         here.run({"converge", "@fibonacci", "square.csv", "-d", "3", "-n", "1000000000", "--word", "(LSLS)"}).code, 3);
 }
 
-TEST_F(Subdivide, GivesTheSameBytesForAnyThreadsAndInstructionSet) {
+TEST_F(Subdivide, GivesTheSameBytesForAnyThreadsInstructionSetAndStores) {
     const std::string line = "\"$INTERNODE\" subdivide @fibonacci data/curves/iceland-coast.csv -d 3 -n 12 --closed "
                              "--word LS --repeat --format npy ";
     const Outcome expected = here.shell(line + "| sha256sum");
@@ -295,9 +295,13 @@ TEST_F(Subdivide, GivesTheSameBytesForAnyThreadsAndInstructionSet) {
         EXPECT_EQ(here.shell(line + with + " | sha256sum").out, expected.out) << with;
     for (const std::string isa : {"plain", "avx2", ""})
         EXPECT_EQ(here.shell("INTERNODE_ISA=" + isa + " " + line + "| sha256sum").out, expected.out) << isa;
-    const Outcome refused = here.shell("INTERNODE_ISA=sse9 " + line + "> /dev/null");
-    EXPECT_EQ(refused.code, 2);
-    EXPECT_THAT(refused.err, ::testing::HasSubstr("INTERNODE_ISA"));
+    for (const std::string stores : {"cached", "streamed", ""})
+        EXPECT_EQ(here.shell("INTERNODE_STORES=" + stores + " " + line + "| sha256sum").out, expected.out) << stores;
+    for (const std::string variable : {"INTERNODE_ISA", "INTERNODE_STORES"}) {
+        const Outcome refused = here.shell(variable + "=sse9 " + line + "> /dev/null");
+        EXPECT_EQ(refused.code, 2);
+        EXPECT_THAT(refused.err, ::testing::HasSubstr(variable));
+    }
 }
 
 } // namespace

@@ -10,11 +10,13 @@
 #include "tests/fixtures/small_grammars.h"
 #include "tests/fixtures/stride.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <gtest/gtest.h>
 #include <numeric>
 #include <oneapi/tbb/global_control.h>
+#include <span>
 
 namespace internode {
 namespace {
@@ -147,11 +149,48 @@ TEST(Plan, GivesTheSameBytesForAnyThreadsAndGrain) {
         }
 }
 
+TEST(Plan, GivesTheSameBytesForAnyStores) {
+    const IntervalSystem system = system_of("L->SL, S->L");
+    for (const std::size_t dimension : {1, 2, 3, 4, 7, 17, 128, 129})
+        for (const int degree : {1, 3, 8}) {
+            const Curve curve = curve_over(system, degree, Ends::Circular, 12, dimension, 7);
+            for (const PlanOptions& plan : {PlanOptions{}, eager(), single_steps()}) {
+                const std::vector<double> expected =
+                    planned(curve, 6, plan, {.isa = Isa::Plain, .stores = Stores::Cached});
+                for (const Isa isa : {Isa::Plain, Isa::Avx2})
+                    for (const std::size_t grain : {1, 1000, 65536})
+                        EXPECT_TRUE(
+                            same_bytes(planned(curve, 6, plan,
+                                               {.threads = 2, .isa = isa, .grain = grain, .stores = Stores::Streamed}),
+                                       expected))
+                            << dimension << " coordinates, degree " << degree << ", grain " << grain;
+            }
+        }
+}
+
+TEST(Plan, GivesTheSameFloatsAtAnyAddressForAnyStores) {
+    const Curve curve = curve_over(system_of("L->SL, S->L"), 3, Ends::Circular, 30, 3, 9);
+    const RefinementPlan plan = refinement_plan(curve.knots(), 7);
+    const std::vector<float> points(curve.points().begin(), curve.points().end());
+    std::vector<float> expected(plan.output_size() * 3);
+    plan.apply<float>(points, 3, expected, {.stores = Stores::Cached});
+    for (std::size_t shift = 0; shift < 16; ++shift) {
+        std::vector<float> memory(expected.size() + 32, -1.0F);
+        const std::span<float> out = std::span(memory).subspan(shift, expected.size());
+        plan.apply<float>(points, 3, out, {.grain = 1000, .stores = Stores::Streamed});
+        EXPECT_EQ(std::memcmp(out.data(), expected.data(), out.size_bytes()), 0) << shift;
+        EXPECT_EQ(std::ranges::count(memory, -1.0F), 32) << shift;
+    }
+}
+
 TEST(Plan, KeepsTheBytesOfLargeOutputsInAnySet) {
-    // Past the caches, and by two threads.
+    // Larger than what is measured, and by two threads.
     const Curve curve = curve_over(system_of("A->AA"), 3, Ends::Circular, 9, 3, 8);
     const int steps = 18;
-    EXPECT_TRUE(same_bytes(planned(curve, steps), planned(curve, steps, {}, {2, Isa::Plain, 12345})));
+    const std::vector<double> measured = planned(curve, steps);
+    EXPECT_TRUE(same_bytes(measured, planned(curve, steps, {}, {2, Isa::Plain, 12345})));
+    EXPECT_TRUE(same_bytes(measured, planned(curve, steps, {}, {.stores = Stores::Cached})));
+    EXPECT_TRUE(same_bytes(measured, planned(curve, steps, {}, {.stores = Stores::Streamed})));
 }
 
 TEST(Plan, RefinesFloatsToTheirPrecision) {

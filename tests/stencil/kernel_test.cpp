@@ -54,9 +54,11 @@ std::vector<Scalar> expected(const Job<Scalar>& job) {
     return out;
 }
 
+enum class Way { Cached, Streamed, Staged };
+
 /// The kernel's points, written `shift` scalars behind a cache line between guards that must survive.
 template<typename Scalar>
-std::vector<Scalar> computed(const Job<Scalar>& job, Isa isa, Store store, std::size_t shift, std::size_t size) {
+std::vector<Scalar> computed(const Job<Scalar>& job, Isa isa, Way way, std::size_t shift, std::size_t size) {
     constexpr std::size_t guard = 16;
     const Scalar untouched(7);
     std::vector<Scalar> memory(size + 3 * guard + shift, untouched);
@@ -65,8 +67,18 @@ std::vector<Scalar> computed(const Job<Scalar>& job, Isa isa, Store store, std::
     std::vector<CellWork<Scalar>> work;
     for (std::size_t cell = 0; cell < job.rows.size(); ++cell)
         work.push_back({job.parents.data() + cell * job.dimension, job.weights[cell].data(), job.rows[cell]});
-    kernel<Scalar>(isa, job.width, job.dimension)(work.data(), work.size(), job.dimension, memory.data() + first,
-                                                  store);
+    const Kernels<Scalar> chosen = kernels<Scalar>(isa, job.width, job.dimension);
+    if (way == Way::Staged) {
+        LineStage<Scalar> stage;
+        LineWriter<Scalar> writer(stage, memory.data() + first);
+        const std::size_t half = work.size() / 2;
+        chosen.staged(work.data(), half, job.dimension, writer);
+        chosen.staged(work.data() + half, work.size() - half, job.dimension, writer);
+        writer.finish();
+    } else {
+        chosen.direct(work.data(), work.size(), job.dimension, memory.data() + first,
+                      way == Way::Cached ? Store::Cached : Store::Streamed);
+    }
     for (std::size_t i = 0; i < memory.size(); ++i)
         EXPECT_TRUE((i >= first && i < first + size) || memory[i] == untouched) << "written outside, at " << i;
     return {memory.begin() + static_cast<std::ptrdiff_t>(first),
@@ -81,9 +93,10 @@ void check_all(std::uint32_t seed) {
             const Job<Scalar> job = random_job<Scalar>(width, dimension, random);
             const std::vector<Scalar> wanted = expected(job);
             for (const Isa isa : {Isa::Plain, Isa::Avx2, Isa::Best})
-                for (const Store store : {Store::Cached, Store::Streamed})
+                for (const Way way : {Way::Cached, Way::Streamed, Way::Staged})
                     for (const std::size_t shift : {0, 1, 3}) {
-                        const auto points = computed(job, isa, store, shift, wanted.size());
+                        if (way == Way::Staged && dimension * sizeof(Scalar) > staged_point_bytes) continue;
+                        const auto points = computed(job, isa, way, shift, wanted.size());
                         ASSERT_EQ(std::memcmp(points.data(), wanted.data(), wanted.size() * sizeof(Scalar)), 0)
                             << "width " << width << ", dimension " << dimension << ", shift " << shift;
                     }
@@ -104,8 +117,8 @@ TEST(Kernel, IsPlainWhenForced) {
 }
 
 TEST(Kernel, RefusesOtherWidths) {
-    EXPECT_THROW((void)kernel<double>(Isa::Plain, 1, 3), std::invalid_argument);
-    EXPECT_THROW((void)kernel<float>(Isa::Best, 14, 3), std::invalid_argument);
+    EXPECT_THROW((void)kernels<double>(Isa::Plain, 1, 3), std::invalid_argument);
+    EXPECT_THROW((void)kernels<float>(Isa::Best, 14, 3), std::invalid_argument);
 }
 
 } // namespace

@@ -3,24 +3,34 @@
 // The cells are cut into tasks that write about as many coordinates as options.grain says; the place of a task's first
 // point is known beforehand. A task hands its cells to the kernel in batches: where the parents stand, where the rows
 // begin, and how many there are.
+//
+// A large result is written by ordinary stores or past the caches. Which are faster is measured on its first stretches,
+// by turns: it depends on the machine, and on whether the memory is fresh.
 
 #include "internode/stencil/block_run.h"
 
 #include "internode/stencil/kernel.h"
+#include "internode/stencil/line_writer.h"
 #include "internode/stencil/parallel.h"
 
 #include <algorithm>
 #include <cassert>
+#include <chrono>
+#include <limits>
+#include <numeric>
+#include <span>
 #include <type_traits>
 
 namespace internode {
 namespace {
 
-/// Wide points of larger outputs, rows of a grid, go past the caches: their many stretches would evict the parents.
-/// Narrow points come in one stretch, which ordinary stores write faster (bench/: fresh and reused, 10 and 24 M
-/// points).
-constexpr std::size_t streamed_bytes = std::size_t{1} << 24;
-constexpr std::size_t narrow = 4;
+/// Smaller results are read from a cache soon after.
+constexpr std::size_t measured_bytes = std::size_t{1} << 25;
+/// Stretches of each kind; as long as a large page, so that in fresh memory each pays for one.
+constexpr std::size_t trials = 3;
+constexpr std::size_t trial_bytes = std::size_t{1} << 21;
+/// Streaming must win by more than the noise: it leaves nothing of the result in a cache.
+constexpr double sure = 0.9;
 /// Cells that are handed to the kernel at once: their descriptions stay in the first cache.
 constexpr std::size_t batch = 128;
 
@@ -36,21 +46,25 @@ struct Task {
     std::size_t first_cell;
     std::size_t last_cell;
     std::size_t first_point; ///< place of the first point in the output
+    std::size_t last_point;  ///< place behind the last one
 };
 
-/// Runs of cells that write about `grain` points each.
+/// Runs of cells that write about `grain` points each; the first ones, as many as there are trials, `trial_grain`.
 template<typename State>
-std::vector<Task> tasks_of(const FusedStencils& stencils, const State* states, std::size_t cells, std::size_t grain) {
-    assert(cells > 0 && grain > 0);
+std::vector<Task> tasks_of(const FusedStencils& stencils, const State* states, std::size_t cells, std::size_t grain,
+                           std::size_t trial_grain) {
+    assert(cells > 0 && grain > 0 && trial_grain > 0);
     std::vector<Task> tasks;
     std::size_t point = 0;
-    Task task{0, 0, 0};
+    Task task{0, 0, 0, 0};
     for (std::size_t cell = 0; cell < cells; ++cell) {
         point += stencils.rows(states[cell]);
-        if (point - task.first_point < grain && cell + 1 < cells) continue;
+        const std::size_t wanted = tasks.size() < 2 * trials ? trial_grain : grain;
+        if (point - task.first_point < wanted && cell + 1 < cells) continue;
         task.last_cell = cell + 1;
+        task.last_point = point;
         tasks.push_back(task);
-        task = {cell + 1, 0, point};
+        task = {cell + 1, 0, point, 0};
     }
     assert(tasks.back().last_cell == cells);
     return tasks;
@@ -73,22 +87,58 @@ public:
     void run(Scalar* out, const ApplyOptions& options) const {
         const std::size_t dimension = parents_.dimension;
         assert(dimension > 0);
+        const std::size_t point_bytes = dimension * sizeof(Scalar);
+        const bool measures = options.stores == Stores::Measured && points() * point_bytes >= measured_bytes;
         const std::size_t grain = std::max<std::size_t>(1, options.grain / dimension);
-        const std::vector<Task> tasks = tasks_of(stencils_, states_, cells_, grain);
-        std::size_t points = 0;
-        for (const State* state = states_ + tasks.back().first_cell; state != states_ + cells_; ++state)
-            points += stencils_.rows(*state);
-        points += tasks.back().first_point;
-        const bool streams = dimension > narrow && points * dimension * sizeof(Scalar) > streamed_bytes;
-        const Store store = streams ? Store::Streamed : Store::Cached;
-        const Kernel<Scalar> kernel = internode::kernel<Scalar>(options.isa, stencils_.width, dimension);
-        const auto run_task = [&](std::size_t task) {
-            run_cells(tasks[task], kernel, out + tasks[task].first_point * dimension, store);
+        const std::vector<Task> tasks = tasks_of(
+            stencils_, states_, cells_, grain, measures ? std::max<std::size_t>(1, trial_bytes / point_bytes) : grain);
+        const Kernels<Scalar> kernels = internode::kernels<Scalar>(options.isa, stencils_.width, dimension);
+        const auto run_task = [&](const Task& task, Store store) {
+            Scalar* const place = out + task.first_point * dimension;
+            if (store == Store::Streamed && point_bytes <= staged_point_bytes)
+                run_staged(task, kernels.staged, place);
+            else
+                run_cells(task, kernels.direct, place, store);
         };
-        for_each_task(tasks.size(), options.threads, run_task);
+        const std::size_t tried = measures ? std::min(2 * trials, tasks.size()) : 0;
+        const Store store = tried > 0 ? faster_store(std::span(tasks).first(tried), options, run_task)
+                            : options.stores == Stores::Streamed ? Store::Streamed
+                                                                 : Store::Cached;
+        for_each_task(tasks.size() - tried, options.threads,
+                      [&](std::size_t task) { run_task(tasks[tried + task], store); });
     }
 
 private:
+    [[nodiscard]] std::size_t points() const {
+        return std::accumulate(states_, states_ + cells_, std::size_t{0},
+                               [this](std::size_t sum, State state) { return sum + stencils_.rows(state); });
+    }
+
+    /// Runs the tasks in the order cached, streamed, streamed, cached, … and tells whose fastest one was faster.
+    template<typename RunTask>
+    [[nodiscard]] static Store faster_store(std::span<const Task> tasks, const ApplyOptions& options,
+                                            const RunTask& run_task) {
+        using Clock = std::chrono::steady_clock;
+        using Seconds = std::chrono::duration<double>;
+        const auto store_of = [](std::size_t task) {
+            return (task + 1) / 2 % 2 == 0 ? Store::Cached : Store::Streamed;
+        };
+        std::vector<double> times(tasks.size()); // of a point
+        for_each_task(tasks.size(), options.threads, [&](std::size_t task) {
+            const Clock::time_point start = Clock::now();
+            run_task(tasks[task], store_of(task));
+            const auto points = static_cast<double>(tasks[task].last_point - tasks[task].first_point);
+            times[task] = Seconds(Clock::now() - start).count() / std::max(points, 1.0);
+        });
+        double cached = std::numeric_limits<double>::max();
+        double streamed = cached;
+        for (std::size_t task = 0; task < tasks.size(); ++task) {
+            double& least = store_of(task) == Store::Cached ? cached : streamed;
+            least = std::min(least, times[task]);
+        }
+        return streamed < sure * cached ? Store::Streamed : Store::Cached;
+    }
+
     void run_cells(const Task& task, Kernel<Scalar> kernel, Scalar* out, Store store) const {
         CellWork<Scalar> work[batch];
         for (std::size_t first = task.first_cell; first < task.last_cell; first += batch) {
@@ -104,6 +154,19 @@ private:
             kernel(work, count, parents_.dimension, out, store);
             out += points * parents_.dimension;
         }
+    }
+
+    /// The same by way of a stage that all batches of the task share.
+    void run_staged(const Task& task, StagedKernel<Scalar> kernel, Scalar* out) const {
+        LineStage<Scalar> stage;
+        LineWriter<Scalar> writer(stage, out);
+        CellWork<Scalar> work[batch];
+        for (std::size_t first = task.first_cell; first < task.last_cell; first += batch) {
+            const std::size_t last = std::min(first + batch, task.last_cell);
+            for (std::size_t cell = first; cell < last; ++cell) work[cell - first] = describe(cell);
+            kernel(work, last - first, parents_.dimension, writer);
+        }
+        writer.finish();
     }
 
     [[nodiscard]] CellWork<Scalar> describe(std::size_t cell) const {

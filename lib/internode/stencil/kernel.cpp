@@ -16,19 +16,19 @@ Isa usable([[maybe_unused]] Isa isa) {
 }
 
 template<typename Scalar>
-Kernel<Scalar> kernel(Isa isa, std::size_t width, std::size_t dimension) {
-    Kernel<Scalar> chosen = nullptr;
+Kernels<Scalar> kernels(Isa isa, std::size_t width, std::size_t dimension) {
+    Kernels<Scalar> chosen;
 #if defined(INTERNODE_HAS_AVX2)
     if (usable(isa) == Isa::Avx2) chosen = avx2_kernel<Scalar>(width, dimension);
 #else
     (void)isa;
 #endif
-    if (chosen == nullptr) chosen = plain_kernel<Scalar>(width, dimension);
-    if (chosen == nullptr) throw std::invalid_argument("stencils have 2 to 13 weights");
+    if (chosen.direct == nullptr) chosen = plain_kernel<Scalar>(width, dimension);
+    if (chosen.direct == nullptr) throw std::invalid_argument("stencils have 2 to 13 weights");
     return chosen;
 }
 
-template Kernel<double> kernel(Isa isa, std::size_t width, std::size_t dimension);
-template Kernel<float> kernel(Isa isa, std::size_t width, std::size_t dimension);
+template Kernels<double> kernels(Isa isa, std::size_t width, std::size_t dimension);
+template Kernels<float> kernels(Isa isa, std::size_t width, std::size_t dimension);
 
 } // namespace internode

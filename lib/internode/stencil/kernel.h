@@ -10,6 +10,7 @@
 #pragma once
 
 #include "internode/stencil/isa.h"
+#include "internode/stencil/line_writer.h"
 
 #include <cstddef>
 
@@ -23,7 +24,7 @@ struct CellWork {
     std::size_t rows;
 };
 
-/// How wide points (more than 4 coordinates) are written: by ordinary stores, or past the caches.
+/// How a kernel writes by itself: by ordinary stores, or, points of more than 4 coordinates, past the caches.
 enum class Store { Cached, Streamed };
 
 /// Writes the new points of `count` cells one after the other, rows of `dimension` coordinates. With a dimension up to
@@ -32,14 +33,28 @@ template<typename Scalar>
 using Kernel = void (*)(const CellWork<Scalar>* cells, std::size_t count, std::size_t dimension, Scalar* out,
                         Store store);
 
+/// The same by way of a stage; no point has more than staged_point_bytes.
+template<typename Scalar>
+using StagedKernel = void (*)(const CellWork<Scalar>* cells, std::size_t count, std::size_t dimension,
+                              LineWriter<Scalar>& out);
+
+template<typename Scalar>
+struct Kernels {
+    Kernel<Scalar> direct = nullptr;
+    StagedKernel<Scalar> staged = nullptr;
+};
+
+/// Longer points, rows of a grid among them, need no stage: both their ends are little beside them.
+inline constexpr std::size_t staged_point_bytes = 1024;
+
 /// Bytes behind the last parent that must be readable.
 inline constexpr std::size_t padding_bytes = 32;
 
 /// The widest rows that a kernel takes: degree 12.
 inline constexpr std::size_t max_row_width = 13;
 
-/// The kernel of rows of `width` weights, 2 … max_row_width. \throw std::invalid_argument for others
+/// The kernels of rows of `width` weights, 2 … max_row_width. \throw std::invalid_argument for others
 template<typename Scalar>
-[[nodiscard]] Kernel<Scalar> kernel(Isa isa, std::size_t width, std::size_t dimension);
+[[nodiscard]] Kernels<Scalar> kernels(Isa isa, std::size_t width, std::size_t dimension);
 
 } // namespace internode

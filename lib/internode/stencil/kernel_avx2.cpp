@@ -7,12 +7,12 @@
 namespace internode {
 
 template<>
-Kernel<double> avx2_kernel(std::size_t width, std::size_t dimension) {
+Kernels<double> avx2_kernel(std::size_t width, std::size_t dimension) {
     return of_width<double>(width, dimension);
 }
 
 template<>
-Kernel<float> avx2_kernel(std::size_t width, std::size_t dimension) {
+Kernels<float> avx2_kernel(std::size_t width, std::size_t dimension) {
     return of_width<float>(width, dimension);
 }
 

@@ -103,6 +103,24 @@ void refine_small(const CellWork<Scalar>* cells, std::size_t count, std::size_t,
     std::memcpy(out, point, sizeof(Scalar) * Dimension);
 }
 
+/// Each cell to the stage, where a spill does no harm.
+template<typename Scalar, int Width, int Dimension>
+void stage_small(const CellWork<Scalar>* cells, std::size_t count, std::size_t, LineWriter<Scalar>& out) {
+    LineWriter<Scalar> writer = out;
+    for (const CellWork<Scalar>* cell = cells; cell != cells + count; ++cell) {
+        constexpr std::size_t most = (LineWriter<Scalar>::capacity - LineWriter<Scalar>::line) / Dimension;
+        const Scalar* weights = cell->weights;
+        for (std::size_t rest = cell->rows; rest > 0;) {
+            const std::size_t rows = rest < most ? rest : most;
+            combine<Scalar, Width, Dimension>(cell->parents, weights, rows, writer.next(rows * Dimension));
+            writer.wrote(rows * Dimension);
+            weights += rows * Width;
+            rest -= rows;
+        }
+    }
+    out = writer;
+}
+
 template<typename Scalar>
 inline Scalar column_sum(const Scalar* parents, const Scalar* weights, std::size_t width, std::size_t dimension) {
     Scalar sum = weights[0] * parents[0];
@@ -155,22 +173,43 @@ void refine_any(const CellWork<Scalar>* cells, std::size_t count, std::size_t di
     refine_wide<Scalar, Width>(cells, count, dimension, out, store, Width);
 }
 
+/// Points of any dimension up to staged_point_bytes, row by row to the stage.
 template<typename Scalar, int Width>
-Kernel<Scalar> of_dimension(std::size_t dimension) {
+void stage_any(const CellWork<Scalar>* cells, std::size_t count, std::size_t dimension, LineWriter<Scalar>& out) {
+    LineWriter<Scalar> writer = out;
+    for (const CellWork<Scalar>* cell = cells; cell != cells + count; ++cell) {
+        for (std::size_t row = 0; row < cell->rows; ++row) {
+            combine_columns<Scalar, Width>(cell->parents, cell->weights + row * Width, Width, dimension, dimension,
+                                           writer.next(dimension), Store::Cached);
+            writer.wrote(dimension);
+        }
+    }
+    out = writer;
+}
+
+template<typename Scalar, int Width, int Dimension>
+constexpr Kernels<Scalar> small_kernels = {refine_small<Scalar, Width, Dimension>,
+                                           stage_small<Scalar, Width, Dimension>};
+
+template<typename Scalar, int Width>
+constexpr Kernels<Scalar> any_kernels = {refine_any<Scalar, Width>, stage_any<Scalar, Width>};
+
+template<typename Scalar, int Width>
+Kernels<Scalar> of_dimension(std::size_t dimension) {
     switch (dimension) {
     case 2:
-        return refine_small<Scalar, Width, 2>;
+        return small_kernels<Scalar, Width, 2>;
     case 3:
-        return refine_small<Scalar, Width, 3>;
+        return small_kernels<Scalar, Width, 3>;
     case 4:
-        return refine_small<Scalar, Width, 4>;
+        return small_kernels<Scalar, Width, 4>;
     default:
-        return refine_any<Scalar, Width>;
+        return any_kernels<Scalar, Width>;
     }
 }
 
 template<typename Scalar>
-Kernel<Scalar> of_width(std::size_t width, std::size_t dimension) {
+Kernels<Scalar> of_width(std::size_t width, std::size_t dimension) {
     switch (width) {
     case 2:
         return of_dimension<Scalar, 2>(dimension);
@@ -187,17 +226,17 @@ Kernel<Scalar> of_width(std::size_t width, std::size_t dimension) {
     case 8:
         return of_dimension<Scalar, 8>(dimension);
     case 9:
-        return refine_any<Scalar, 9>;
+        return any_kernels<Scalar, 9>;
     case 10:
-        return refine_any<Scalar, 10>;
+        return any_kernels<Scalar, 10>;
     case 11:
-        return refine_any<Scalar, 11>;
+        return any_kernels<Scalar, 11>;
     case 12:
-        return refine_any<Scalar, 12>;
+        return any_kernels<Scalar, 12>;
     case 13:
-        return refine_any<Scalar, 13>;
+        return any_kernels<Scalar, 13>;
     default:
-        return nullptr;
+        return {};
     }
 }
 

@@ -7,12 +7,12 @@
 namespace internode {
 
 template<>
-Kernel<double> plain_kernel(std::size_t width, std::size_t dimension) {
+Kernels<double> plain_kernel(std::size_t width, std::size_t dimension) {
     return of_width<double>(width, dimension);
 }
 
 template<>
-Kernel<float> plain_kernel(std::size_t width, std::size_t dimension) {
+Kernels<float> plain_kernel(std::size_t width, std::size_t dimension) {
     return of_width<float>(width, dimension);
 }
 

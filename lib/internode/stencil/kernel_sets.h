@@ -9,10 +9,10 @@
 namespace internode {
 
 template<typename Scalar>
-[[nodiscard]] Kernel<Scalar> plain_kernel(std::size_t width, std::size_t dimension);
+[[nodiscard]] Kernels<Scalar> plain_kernel(std::size_t width, std::size_t dimension);
 
 /// Only where the build has AVX2: INTERNODE_HAS_AVX2.
 template<typename Scalar>
-[[nodiscard]] Kernel<Scalar> avx2_kernel(std::size_t width, std::size_t dimension);
+[[nodiscard]] Kernels<Scalar> avx2_kernel(std::size_t width, std::size_t dimension);
 
 } // namespace internode

@@ -214,7 +214,7 @@ void RefinementPlan::apply_each(std::span<const Scalar> points, std::size_t poly
         apply_blocks(cells, points.data(), dimension, out.data(), options);
         return;
     }
-    const ApplyOptions inner{1, options.isa, options.grain};
+    const ApplyOptions inner{1, options.isa, options.grain, options.stores};
     for_each_task(polygons, options.threads, [&](std::size_t polygon) {
         apply_blocks(cells, points.data() + polygon * before, dimension, out.data() + polygon * after, inner);
     });

@@ -12,6 +12,7 @@
 
 #include "internode/stencil/automaton.h"
 #include "internode/stencil/isa.h"
+#include "internode/stencil/stores.h"
 
 #include <cstdint>
 #include <functional>
@@ -35,9 +36,10 @@ struct PlanOptions {
 };
 
 struct ApplyOptions {
-    int threads = 1;            ///< 0: as many as the machine has
-    Isa isa = Isa::Best;        ///< never changes the result
-    std::size_t grain = 524288; ///< coordinates that a task writes, about: less is not worth a thread
+    int threads = 1;                  ///< 0: as many as the machine has
+    Isa isa = Isa::Best;              ///< never changes the result
+    std::size_t grain = 524288;       ///< coordinates that a task writes, about: less is not worth a thread
+    Stores stores = Stores::Measured; ///< never changes the result
 };
 
 /// An automaton and the states of the cells of a word in it.
