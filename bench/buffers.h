@@ -7,6 +7,7 @@
 #include "bench/rows.h"
 
 #include "internode/stencil/coordinate_buffer.h"
+#include "internode/stencil/line_writer.h"
 
 #include <algorithm>
 #include <cstring>
@@ -27,6 +28,30 @@ template<typename Scalar>
     auto to = touched_buffer<double>(points * dimension);
     const auto copy = [from, to] { std::memcpy(to->data(), from->data(), from->size() * sizeof(double)); };
     return {"memcpy", static_cast<double>(points), points, [copy] { return seconds_of(copy); }};
+}
+
+/// As many bytes as `points` points have, by ordinary stores into touched memory.
+[[nodiscard]] inline Contestant fill_of(std::size_t points) {
+    auto to = touched_buffer<double>(points * dimension);
+    const auto fill = [to] { std::ranges::fill(to->values(), 1.0); };
+    return {"fill", static_cast<double>(points), points, [fill] { return seconds_of(fill); }};
+}
+
+/// The same past the caches.
+[[nodiscard]] inline Contestant streamed_fill_of(std::size_t points) {
+    auto to = touched_buffer<double>(points * dimension);
+    const auto fill = [to] {
+        LineStage<double> stage;
+        LineWriter<double> writer(stage, to->data());
+        for (std::size_t rest = to->size(); rest > 0;) {
+            const std::size_t part = std::min(rest, LineWriter<double>::line);
+            std::fill_n(writer.next(part), part, 1.0);
+            writer.wrote(part);
+            rest -= part;
+        }
+        writer.finish();
+    };
+    return {"fill-streamed", static_cast<double>(points), points, [fill] { return seconds_of(fill); }};
 }
 
 } // namespace internode::bench

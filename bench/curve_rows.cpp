@@ -124,7 +124,8 @@ Contestant first_touch(std::size_t count) {
 
 std::vector<Contestant> against_copy(Scale scale) {
     const CurveCase curve = fibonacci_case(1600, scaled(20, scale));
-    return {ours_reused("internode", curve), memcpy_of(refined_points(curve))};
+    const std::size_t count = refined_points(curve);
+    return {ours_reused("internode", curve), memcpy_of(count), fill_of(count), streamed_fill_of(count)};
 }
 
 std::vector<Contestant> against_peers(Scale scale) {

@@ -41,9 +41,26 @@ std::vector<Contestant> kinds(Scale scale) {
 }
 
 ApplyOptions threads(int count) {
-    ApplyOptions options;
-    options.threads = count;
-    return options;
+    return {.threads = count};
+}
+
+std::vector<Contestant> stores(const CurveCase& curve,
+                               Contestant (*ours)(const std::string&, const CurveCase&, const ApplyOptions&, Clock)) {
+    return {ours("measured", curve, {.stores = Stores::Measured}, Clock::Thread),
+            ours("cached", curve, {.stores = Stores::Cached}, Clock::Thread),
+            ours("streamed", curve, {.stores = Stores::Streamed}, Clock::Thread)};
+}
+
+std::vector<Contestant> stores_reused(Scale scale) {
+    return stores(fibonacci_case(1600, scaled(20, scale)), ours_reused);
+}
+
+std::vector<Contestant> stores_of_a_million(Scale scale) {
+    return stores(fibonacci_case(1190, scaled(14, scale)), ours_reused);
+}
+
+std::vector<Contestant> stores_fresh(Scale scale) {
+    return stores(fibonacci_case(1070, scaled(19, scale)), ours_fresh);
 }
 
 /// By the clock on the wall.
@@ -100,6 +117,9 @@ std::vector<Contestant> levels(Scale scale) {
 std::vector<Row> own_rows() {
     return {{"kinds-10M-reused", kinds},
             {"levels-reused", levels},
+            {"stores-24M-reused", stores_reused},
+            {"stores-1M-reused", stores_of_a_million},
+            {"stores-10M-fresh", stores_fresh},
             {"threads-24M-fresh", threads_fresh},
             {"threads-24M-reused", threads_reused},
             {"threads-90k-reused", threads_few_points},
