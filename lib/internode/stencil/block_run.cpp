@@ -17,7 +17,6 @@
 #include <cassert>
 #include <chrono>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <type_traits>
 
@@ -49,7 +48,8 @@ struct Task {
     std::size_t last_point;  ///< place behind the last one
 };
 
-/// Runs of cells that write about `grain` points each; the first ones, as many as there are trials, `trial_grain`.
+/// Runs of cells that write about `grain` points each; the first ones, as many as there are trials, `trial_grain`:
+/// where they try nothing, they are but shorter.
 template<typename State>
 std::vector<Task> tasks_of(const FusedStencils& stencils, const State* states, std::size_t cells, std::size_t grain,
                            std::size_t trial_grain) {
@@ -88,10 +88,11 @@ public:
         const std::size_t dimension = parents_.dimension;
         assert(dimension > 0);
         const std::size_t point_bytes = dimension * sizeof(Scalar);
-        const bool measures = options.stores == Stores::Measured && points() * point_bytes >= measured_bytes;
         const std::size_t grain = std::max<std::size_t>(1, options.grain / dimension);
-        const std::vector<Task> tasks = tasks_of(
-            stencils_, states_, cells_, grain, measures ? std::max<std::size_t>(1, trial_bytes / point_bytes) : grain);
+        const std::size_t trial_grain = std::clamp<std::size_t>(trial_bytes / point_bytes, 1, grain);
+        const std::vector<Task> tasks = tasks_of(stencils_, states_, cells_, grain, trial_grain);
+        const bool measures =
+            options.stores == Stores::Measured && tasks.back().last_point * point_bytes >= measured_bytes;
         const Kernels<Scalar> kernels = internode::kernels<Scalar>(options.isa, stencils_.width, dimension);
         const auto run_task = [&](const Task& task, Store store) {
             Scalar* const place = out + task.first_point * dimension;
@@ -109,11 +110,6 @@ public:
     }
 
 private:
-    [[nodiscard]] std::size_t points() const {
-        return std::accumulate(states_, states_ + cells_, std::size_t{0},
-                               [this](std::size_t sum, State state) { return sum + stencils_.rows(state); });
-    }
-
     /// Runs the tasks in the order cached, streamed, streamed, cached, … and tells whose fastest one was faster.
     template<typename RunTask>
     [[nodiscard]] static Store faster_store(std::span<const Task> tasks, const ApplyOptions& options,
