@@ -104,9 +104,9 @@ CommandLine CommandReader::read(int argc, const char* const* argv) {
         throw failure(ExitCode::Usage, error.what());
     }
     if (color_ != "auto") common_.color = color_ == "always" ? Color::Always : Color::Never;
-    common_.threads = static_cast<int>(std::min<std::uint64_t>(threads_, max_threads));
-    common_.isa = isa_of_environment();
-    common_.stores = stores_of_environment();
+    common_.apply.threads = static_cast<int>(std::min<std::uint64_t>(threads_, max_threads));
+    common_.apply.isa = isa_of_environment();
+    common_.apply.stores = stores_of_environment();
     common_.command_line = public_command_line(argc, argv);
     refuse_leftovers(app_);
     if (version_) return {common_, VersionOptions{}};

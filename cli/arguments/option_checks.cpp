@@ -9,10 +9,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdlib>
+#include <utility>
 
 namespace internode::cli {
+namespace {
+
+/// What a variable of the environment asks for: one of two names, or nothing.
+template<typename Value>
+Value environment_choice(const char* variable, Value usual,
+                         const std::array<std::pair<std::string_view, Value>, 2>& choices) {
+    const char* const wanted = std::getenv(variable);
+    if (wanted == nullptr || *wanted == '\0') return usual;
+    for (const auto& [name, value] : choices)
+        if (wanted == name) return value;
+    throw failure(ExitCode::Usage,
+                  fmt::format("{} is neither `{}` nor `{}`", variable, choices[0].first, choices[1].first),
+                  "it changes the speed, no result");
+}
+
+} // namespace
 
 std::string positive_number(const std::string& text) {
     const std::optional<double> value = parse_double(text);
@@ -60,20 +78,12 @@ std::string empty_word_problem(const std::string& text) {
 }
 
 Isa isa_of_environment() {
-    const char* const wanted = std::getenv("INTERNODE_ISA");
-    if (wanted == nullptr || *wanted == '\0') return Isa::Best;
-    if (wanted == std::string_view("plain")) return Isa::Plain;
-    if (wanted == std::string_view("avx2")) return Isa::Avx2;
-    throw failure(ExitCode::Usage, "INTERNODE_ISA is neither `plain` nor `avx2`", "it changes the speed, no result");
+    return environment_choice<Isa>("INTERNODE_ISA", Isa::Best, {{{"plain", Isa::Plain}, {"avx2", Isa::Avx2}}});
 }
 
 Stores stores_of_environment() {
-    const char* const wanted = std::getenv("INTERNODE_STORES");
-    if (wanted == nullptr || *wanted == '\0') return Stores::Measured;
-    if (wanted == std::string_view("cached")) return Stores::Cached;
-    if (wanted == std::string_view("streamed")) return Stores::Streamed;
-    throw failure(ExitCode::Usage, "INTERNODE_STORES is neither `cached` nor `streamed`",
-                  "it changes the speed, no result");
+    return environment_choice<Stores>("INTERNODE_STORES", Stores::Measured,
+                                      {{{"cached", Stores::Cached}, {"streamed", Stores::Streamed}}});
 }
 
 } // namespace internode::cli

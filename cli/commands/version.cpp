@@ -21,7 +21,7 @@ std::string compiler() {
 
 ExitCode run(const VersionOptions&, const Context& context) {
     std::string text = fmt::format("internode {}\ncompiler {}\ninstruction set {}, kernels {}\n", version(), compiler(),
-                                   instruction_set(), usable(context.isa) == Isa::Avx2 ? "avx2" : "plain");
+                                   instruction_set(), usable(context.apply.isa) == Isa::Avx2 ? "avx2" : "plain");
     for (const LibraryVersion& library : library_versions())
         text += fmt::format("{} {}\n", library.name, library.version);
     write_output("-", text);

@@ -105,8 +105,7 @@ ExitCode subdivide_grid(const SubdivideOptions& options, const Context& context)
     const GridSize size = planned(loaded.grid, options);
     Output output(options.output.file);
     const int steps = static_cast<int>(options.steps);
-    const Grid fine =
-        refine(loaded.grid, steps, steps, {.threads = context.threads, .isa = context.isa, .stores = context.stores});
+    const Grid fine = refine(loaded.grid, steps, steps, context.apply);
     if (context.verbose)
         say(context, fmt::format("{} by {} points from {} by {}\n", size.rows, size.columns, loaded.grid.u().size(),
                                  loaded.grid.v().size()));

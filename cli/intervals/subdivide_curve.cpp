@@ -113,11 +113,10 @@ WrittenPoints written_points(const Curve& curve, const SettledCurve& loaded, con
 }
 
 /// The refined curves, a document for all of them.
-void write_documents(Sink& sink, const std::vector<SettledCurve>& curves, int steps, const ApplyOptions& apply,
-                     const Context& context) {
+void write_documents(Sink& sink, const std::vector<SettledCurve>& curves, int steps, const Context& context) {
     std::vector<Curve> fine;
     std::vector<WrittenPoints> points;
-    for (const SettledCurve& loaded : curves) fine.push_back(refine(loaded.curve, steps, apply));
+    for (const SettledCurve& loaded : curves) fine.push_back(refine(loaded.curve, steps, context.apply));
     for (std::size_t i = 0; i < fine.size(); ++i) points.push_back(written_points(fine[i], curves[i], "json"));
     std::vector<CurveDocument> documents;
     for (std::size_t i = 0; i < fine.size(); ++i)
@@ -233,8 +232,7 @@ void write_picture(Sink& sink, const std::vector<SettledCurve>& curves, const Su
     std::vector<PlanarCurve> planar;
     for (const SettledCurve& loaded : curves) {
         Refinement refinement(loaded.curve);
-        refinement.advance(static_cast<int>(drawn.steps),
-                           {.threads = context.threads, .isa = context.isa, .stores = context.stores});
+        refinement.advance(static_cast<int>(drawn.steps), context.apply);
         planar.push_back(planar_curve(loaded.curve, refinement, axes, loaded.coordinates));
     }
     write_curve_picture(
@@ -286,13 +284,12 @@ ExitCode run(const IntervalGrammar& grammar, const LoadedText&, const SubdivideO
     Output output(options.output.file);
     if (context.verbose) say(context, fmt::format("{} points from {}\n", size.points, point_count(curves)));
     const int steps = static_cast<int>(options.steps);
-    const ApplyOptions apply{.threads = context.threads, .isa = context.isa, .stores = context.stores};
     if (format == "svg")
         write_picture(output.sink(), curves, options, axes, context);
     else if (format == "json")
-        write_documents(output.sink(), curves, steps, apply, context);
+        write_documents(output.sink(), curves, steps, context);
     else
-        write_all(CurveWriter(output.sink(), format, context), curves, options, apply);
+        write_all(CurveWriter(output.sink(), format, context), curves, options, context.apply);
     output.commit();
     return ExitCode::Success;
 }

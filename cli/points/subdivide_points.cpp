@@ -137,9 +137,7 @@ Failure too_large(const TooLargeWord& word, const LoadedPoints& loaded, std::uin
 ModuleWord final_word(const LoadedPoints& loaded, const SubdivideOptions& options, bool& told_why,
                       const Context& context) {
     FastDerivation derived = derive_fast(*loaded.system, {loaded.word, start_of(loaded)}, options.steps,
-                                         {loaded.derive,
-                                          {.threads = context.threads, .isa = context.isa, .stores = context.stores},
-                                          options.point.interpreter});
+                                         {loaded.derive, context.apply, options.point.interpreter});
     if (derived.interpreted && context.verbose && !std::exchange(told_why, true))
         say(context, told(loaded, *derived.interpreted));
     if (derived.problem) throw derivation_failure(loaded, *derived.problem);

@@ -6,8 +6,7 @@
 
 #include "cli/requests/belonging.h"
 #include "internode/input/settled_contour.h"
-#include "internode/stencil/isa.h"
-#include "internode/stencil/stores.h"
+#include "internode/stencil/plan.h"
 
 #include <array>
 #include <cstddef>
@@ -41,9 +40,7 @@ struct CommonOptions {
     Color color = Color::Auto;
     bool quiet = false;
     bool verbose = false;
-    int threads = 0;                  ///< 0: all of the machine
-    Isa isa = Isa::Best;              ///< what INTERNODE_ISA in the environment says
-    Stores stores = Stores::Measured; ///< what INTERNODE_STORES in the environment says
+    ApplyOptions apply{.threads = 0}; ///< --threads, and what INTERNODE_ISA and INTERNODE_STORES say
     std::string command_line;         ///< base names, no -o: stands in the outputs
     std::vector<GivenOption> given;   ///< the options on the command line, with where they belong
 };
