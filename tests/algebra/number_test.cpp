@@ -2,6 +2,7 @@
 
 #include "internode/algebra/fraction.h"
 #include "internode/algebra/number.h"
+#include "tests/fixtures/numbers.h"
 #include "tests/reference/real_root.h"
 
 #include <gmock/gmock.h>
@@ -16,8 +17,6 @@ using namespace internode;
 using testing::ElementsAre;
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Example {
     Polynomial polynomial;
@@ -248,8 +247,9 @@ TEST(Number, ToDoubleIsTheDoubleOfATightEnclosure) {
             const auto [below, above] = number.enclosure();
             EXPECT_LE(Number(to_rational(below)), number);
             EXPECT_GE(Number(to_rational(above)), number);
-            EXPECT_EQ(above,
-                      number.is_rational() && below == number.to_double() ? above : std::nextafter(below, infinity));
+            EXPECT_EQ(above, number.is_rational() && below == number.to_double()
+                                 ? above
+                                 : std::nextafter(below, tests::infinity));
         }
     }
 }
@@ -264,8 +264,8 @@ TEST(Number, ToDoubleSurvivesCancellation) {
 
 TEST(Number, ToDoubleRoundsTinyAndHugeValues) {
     const Number phi = golden().generator();
-    EXPECT_EQ(pow(phi, 2000).to_double(), infinity);
-    EXPECT_EQ((-pow(phi, 2000)).to_double(), -infinity);
+    EXPECT_EQ(pow(phi, 2000).to_double(), tests::infinity);
+    EXPECT_EQ((-pow(phi, 2000)).to_double(), -tests::infinity);
     const Number tiny = pow(phi, -2000);
     EXPECT_EQ(tiny.to_double(), 0);
     EXPECT_FALSE(std::signbit((-tiny).to_double()));
@@ -282,8 +282,8 @@ TEST(Number, EnclosureIsTheTightestPairOfDoubles) {
     EXPECT_EQ(Number().enclosure(), std::pair(0.0, 0.0));
     EXPECT_EQ(phi.enclosure(), std::pair(std::nextafter(1.6180339887498949, 0), 1.6180339887498949));
     EXPECT_EQ(Number(Rational(1, 3)).enclosure(), std::pair(1.0 / 3, std::nextafter(1.0 / 3, 1)));
-    EXPECT_EQ(pow(phi, 2000).enclosure(), std::pair(largest, infinity));
-    EXPECT_EQ((-pow(phi, 2000)).enclosure(), std::pair(-infinity, -largest));
+    EXPECT_EQ(pow(phi, 2000).enclosure(), std::pair(largest, tests::infinity));
+    EXPECT_EQ((-pow(phi, 2000)).enclosure(), std::pair(-tests::infinity, -largest));
     EXPECT_EQ(pow(phi, -2000).enclosure(), std::pair(0.0, least));
     EXPECT_EQ((-pow(phi, -2000)).enclosure(), std::pair(-least, 0.0));
 }

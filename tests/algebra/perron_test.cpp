@@ -41,15 +41,15 @@ Dense matrix_of(std::size_t n, std::size_t number) {
     return matrix;
 }
 
-struct Example {
+struct SmallMatrix {
     Dense matrix;
     PerronRoot root;
 };
 
 /// All 2 x 2 and 3 x 3 matrices of entries 0 … 2, with what perron_root says of them.
-const std::vector<Example>& small_matrices() {
-    static const std::vector<Example> examples = [] {
-        std::vector<Example> result;
+const std::vector<SmallMatrix>& small_matrices() {
+    static const std::vector<SmallMatrix> all = [] {
+        std::vector<SmallMatrix> result;
         const auto add = [&](const Dense& matrix) {
             result.push_back({matrix, perron_root(sparse(matrix), matrix.size()).value()});
         };
@@ -57,7 +57,7 @@ const std::vector<Example>& small_matrices() {
         for (std::size_t number = 0; number < 19683; number += stride) add(matrix_of(3, number));
         return result;
     }();
-    return examples;
+    return all;
 }
 
 /// Whether x > ρ(M): then, and only then, all leading principal minors of xI - M are positive (an M-matrix).

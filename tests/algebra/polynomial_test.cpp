@@ -18,6 +18,8 @@ using testing::UnorderedElementsAre;
 
 namespace {
 
+using Square = std::vector<std::vector<Integer>>;
+
 /// All polynomials of the degree with coefficients -2 … 2, the leading one positive.
 template<typename Check>
 void for_all_polynomials(std::size_t degree, Check check) {
@@ -64,13 +66,13 @@ TEST(Factor, RefusesZero) {
 }
 
 TEST(CharacteristicPolynomial, IsTheDeterminantOfXMinusM) {
-    EXPECT_THAT(characteristic_polynomial({{1, 1}, {1, 0}}), ElementsAre(-1, -1, 1));
-    EXPECT_THAT(characteristic_polynomial({{2, 5}, {0, 3}}), ElementsAre(6, -5, 1));
-    EXPECT_THAT(characteristic_polynomial({}), ElementsAre(1));
+    EXPECT_THAT(characteristic_polynomial(Square{{1, 1}, {1, 0}}), ElementsAre(-1, -1, 1));
+    EXPECT_THAT(characteristic_polynomial(Square{{2, 5}, {0, 3}}), ElementsAre(6, -5, 1));
+    EXPECT_THAT(characteristic_polynomial(Square{}), ElementsAre(1));
 }
 
 TEST(CharacteristicPolynomial, RefusesAMatrixThatIsNotSquare) {
-    EXPECT_THROW((void)characteristic_polynomial({{1, 2}}), std::invalid_argument);
+    EXPECT_THROW((void)characteristic_polynomial(Square{{1, 2}}), std::invalid_argument);
 }
 
 TEST(Roots, HoldASignChangeInEachRealBox) {

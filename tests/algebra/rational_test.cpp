@@ -2,6 +2,7 @@
 
 #include "internode/algebra/fraction.h"
 #include "internode/algebra/rational.h"
+#include "tests/fixtures/numbers.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,6 @@ using namespace internode;
 namespace {
 
 constexpr double largest = std::numeric_limits<double>::max();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double least = std::numeric_limits<double>::denorm_min();
 
 Rational power_of_two(int exponent) {
@@ -32,7 +32,8 @@ void expect_nearest(const Rational& value) {
     const double nearest = to_double(value);
     ASSERT_TRUE(std::isfinite(nearest)) << value;
     const Rational error = abs(Rational(value - to_rational(nearest)));
-    for (const double neighbour : {std::nextafter(nearest, -infinity), std::nextafter(nearest, infinity)}) {
+    for (const double neighbour :
+         {std::nextafter(nearest, -tests::infinity), std::nextafter(nearest, tests::infinity)}) {
         if (!std::isfinite(neighbour)) continue;
         const Rational other = abs(Rational(value - to_rational(neighbour)));
         ASSERT_LE(error, other) << value;
@@ -45,12 +46,12 @@ void expect_nearest(const Rational& value) {
 /// The lower neighbour, the double, points around the tie above it.
 void expect_nearest_around(double value) {
     const Rational here = to_rational(value);
-    const double next = std::nextafter(value, infinity);
+    const double next = std::nextafter(value, tests::infinity);
     const Rational gap = std::isfinite(next) ? Rational(to_rational(next) - here) : power_of_two(971);
     const Rational tie = here + gap / 2;
     for (const Rational& point : {here, Rational(here + gap / 3), Rational(tie - gap / 1000000), tie,
                                   Rational(tie + gap / 1000000), Rational(here + 2 * gap / 3)}) {
-        if (point >= to_rational(largest) + power_of_two(970)) continue; // beyond: infinity, tested by itself
+        if (point >= to_rational(largest) + power_of_two(970)) continue; // beyond: tests::infinity, tested by itself
         expect_nearest(point);
         expect_nearest(-point);
     }
@@ -156,11 +157,11 @@ TEST(RationalToDouble, HasNoNegativeZero) {
 
 TEST(RationalToDouble, OverflowsFromHalfAUnitAboveTheLargest) {
     const Rational edge = to_rational(largest) + power_of_two(970);
-    EXPECT_EQ(to_double(edge), infinity);
-    EXPECT_EQ(to_double(-edge), -infinity);
+    EXPECT_EQ(to_double(edge), tests::infinity);
+    EXPECT_EQ(to_double(-edge), -tests::infinity);
     EXPECT_EQ(to_double(edge - power_of_two(-100)), largest);
-    EXPECT_EQ(to_double(power_of_two(1024)), infinity);
-    EXPECT_EQ(to_double(-power_of_two(100000)), -infinity);
+    EXPECT_EQ(to_double(power_of_two(1024)), tests::infinity);
+    EXPECT_EQ(to_double(-power_of_two(100000)), -tests::infinity);
 }
 
 TEST(RationalToDouble, RoundsLikeTheCompilerDoes) {
@@ -174,8 +175,8 @@ TEST(RationalToDouble, RoundsLikeTheCompilerDoes) {
 }
 
 TEST(DoubleToRational, RefusesWhatIsNotFinite) {
-    EXPECT_THROW((void)to_rational(infinity), std::invalid_argument);
-    EXPECT_THROW((void)to_rational(-infinity), std::invalid_argument);
+    EXPECT_THROW((void)to_rational(tests::infinity), std::invalid_argument);
+    EXPECT_THROW((void)to_rational(-tests::infinity), std::invalid_argument);
     EXPECT_THROW((void)to_rational(std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
     EXPECT_EQ(to_rational(-0.0), Rational(0));
 }

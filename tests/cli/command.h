@@ -12,6 +12,9 @@
 
 namespace internode::tests {
 
+inline const std::vector<std::string> commands{"validate", "masks", "subdivide", "converge", "reverse",  "compose",
+                                               "infer",    "word",  "format",    "formats",  "grammars", "limits"};
+
 struct Outcome {
     int code = -1; ///< exit code, or 128 + signal
     std::string out;

@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-long lines(const std::string& text) {
+long count_lines(const std::string& text) {
     return std::ranges::count(text, '\n');
 }
 
@@ -24,7 +24,7 @@ TEST(Files, ThatAreMissingOrFoldersAreExitFour) {
     for (const std::string place : {"nowhere.lsys", ".", "/"}) {
         const Outcome outcome = here.run({"validate", place});
         EXPECT_EQ(outcome.code, 4) << place << outcome.err;
-        EXPECT_EQ(lines(outcome.err), 1);
+        EXPECT_EQ(count_lines(outcome.err), 1);
     }
     EXPECT_EQ(here.run({"subdivide", "@fibonacci", "nowhere.csv", "-d", "2", "-n", "1"}).code, 4);
 }
@@ -47,7 +47,7 @@ TEST(Files, AFullDiskIsExitFourAndOneLine) {
                                       "subdivide @fibonacci data/curves/fibonacci-open.json -n 3"}) {
         const Outcome outcome = here.shell("\"$INTERNODE\" " + command + " > /dev/full");
         EXPECT_EQ(outcome.code, 4) << command;
-        EXPECT_EQ(lines(outcome.err), 1) << outcome.err;
+        EXPECT_EQ(count_lines(outcome.err), 1) << outcome.err;
     }
     EXPECT_EQ(here.shell("\"$INTERNODE\" grammars >&-").code, 4);
 }
@@ -65,7 +65,7 @@ TEST(Files, ABrokenPipeIsPolite) {
         "| head -1");
     EXPECT_EQ(outcome.code, 0);
     EXPECT_EQ(outcome.err, "");
-    EXPECT_EQ(lines(outcome.out), 1);
+    EXPECT_EQ(count_lines(outcome.out), 1);
 }
 
 TEST(Files, AnInterruptLeavesTheOldFileAndNoOther) {

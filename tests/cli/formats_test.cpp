@@ -22,7 +22,7 @@ using testing::HasSubstr;
 using Words = std::vector<std::string>;
 
 /// A line for each output of the table, by "command option, kind".
-const std::map<std::string, Words> lines{
+const std::map<std::string, Words> line_of_use{
     {"validate, interval grammars", {"validate", "@fibonacci"}},
     {"validate, point grammars", {"validate", "@s0/13"}},
     {"masks, interval grammars", {"masks", "@fibonacci", "-d", "2", "--word", "LSLLSL"}},
@@ -91,7 +91,7 @@ std::string own_file(const std::string& use) {
 std::string by_name(const std::string& use, const std::string& format) {
     const Workspace here;
     const Outcome outcome = here.run([&] {
-        Words line = lines.at(use);
+        Words line = line_of_use.at(use);
         for (const std::string& word : Words{"--format", format}) line.push_back(word);
         return line;
     }());
@@ -101,7 +101,7 @@ std::string by_name(const std::string& use, const std::string& format) {
 
 std::string by_extension(const std::string& use, const std::string& extension) {
     const Workspace here;
-    Words line = lines.at(use);
+    Words line = line_of_use.at(use);
     const std::string option = own_file(use);
     for (const std::string& word : Words{option.empty() ? "-o" : option, "out" + extension}) line.push_back(word);
     const Outcome outcome = here.run(line);
@@ -122,7 +122,7 @@ TEST(Formats, EveryRowIsWritten) {
     for (const Row& row : table())
         for (const std::string& use : row.uses) {
             uses.insert(use);
-            ASSERT_TRUE(lines.contains(use)) << use;
+            ASSERT_TRUE(line_of_use.contains(use)) << use;
             const bool takes_word = row.format == "mtx" || row.format == "c" || row.format == "glsl";
             if (use == "masks, interval grammars" && !takes_word) continue; // below, without --word
             if (use.rfind("format,", 0) == 0) continue;                     // takes any name: a grammar is text
@@ -135,7 +135,7 @@ TEST(Formats, EveryRowIsWritten) {
                 }
             }
         }
-    EXPECT_EQ(uses.size(), lines.size());
+    EXPECT_EQ(uses.size(), line_of_use.size());
     for (const char* form : {"text", "json", "dot", "svg"})
         EXPECT_EQ(Workspace().run({"masks", "@fibonacci", "-d", "2", "--format", form}).code, 0) << form;
 }

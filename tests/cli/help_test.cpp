@@ -12,10 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::vector<std::string> commands{"validate", "masks", "subdivide", "converge", "reverse",  "compose",
-                                        "infer",    "word",  "format",    "formats",  "grammars", "limits"};
-
-std::vector<std::string> examples(const std::string& help) {
+std::vector<std::string> examples_in(const std::string& help) {
     std::vector<std::string> lines;
     std::istringstream stream(help);
     for (std::string line; std::getline(stream, line);)
@@ -28,7 +25,7 @@ TEST(Help, OpensWithTwoExamplesThatRun) {
     for (const std::string& command : commands) {
         const Outcome help = here.run({command, "--help"});
         ASSERT_EQ(help.code, 0) << help.err;
-        const auto lines = examples(help.out);
+        const auto lines = examples_in(help.out);
         ASSERT_EQ(lines.size(), 2U) << help.out;
         for (const std::string& line : lines) {
             const Outcome outcome = here.run(split(line));

@@ -146,23 +146,23 @@ TEST_F(Nurbs, SymbolsOfAFileAreNamedLikeThoseOfAGrammar) {
     refused({"@bisection", "part.json", "-n", "1"}, "`C` is no symbol");
 }
 
-const std::string lines = "v 0 0 0\nv 1 0 0\nv 1 1 0\ncstype bspline\ndeg 1\n"
-                          "curv 0 1 1 2\nparm u 0 0 1 1\nend\ncurv 0 3 1 2 3\nparm u 0 0 1 3 3\nend\n";
+const std::string curves_and_lines = "v 0 0 0\nv 1 0 0\nv 1 1 0\ncstype bspline\ndeg 1\n"
+                                     "curv 0 1 1 2\nparm u 0 0 1 1\nend\ncurv 0 3 1 2 3\nparm u 0 0 1 3 3\nend\n";
 
 TEST_F(Nurbs, ObjFilesAreCurvesWithKnots) {
     const Outcome limit = run({"@bisection", "data/curves/circle.obj", "-n", "10", "--limit"});
     ASSERT_EQ(limit.code, 0) << limit.err;
     EXPECT_LE(worst_radius(limit.out, 1), 1e-13);
-    here.file("lines.obj", lines);
+    here.file("lines.obj", curves_and_lines);
     EXPECT_EQ(run({"@bisection", "lines.obj", "--element", "2", "-n", "0"}).out, "x,y,z\n0,0,0\n1,0,0\n1,1,0\n");
-    EXPECT_EQ(here.run({"subdivide", "@bisection", "-", "--element", "1", "-n", "1"}, lines).out,
+    EXPECT_EQ(here.run({"subdivide", "@bisection", "-", "--element", "1", "-n", "1"}, curves_and_lines).out,
               "x,y,z\n0,0,0\n0.5,0,0\n1,0,0\n");
     EXPECT_EQ(here.run({"converge", "@bisection", "lines.obj", "--element", "1", "-n", "1"}).code, 0);
     EXPECT_EQ(run({"@bisection", "lines.obj", "--element", "1", "-d", "2", "-n", "1"}).code, 3);
 }
 
 TEST_F(Nurbs, RefusesObjFilesWithTheirLines) {
-    here.file("lines.obj", lines);
+    here.file("lines.obj", curves_and_lines);
     refused({"@bisection", "lines.obj", "--element", "3", "-n", "1"}, "no element 3");
     refused({"@bisection", "lines.obj", "--element", "0", "-n", "1"}, "no element 0");
     refused({"@bisection", "ramp.json", "--element", "2", "-n", "1"}, "no element 2: ramp.json has 1");

@@ -104,9 +104,6 @@ const std::map<std::string, std::string> may_be_idle{
     {"--repeat", "for words that are too short"},
 };
 
-const std::vector<std::string> commands{"validate", "masks", "subdivide", "converge", "reverse",  "compose",
-                                        "infer",    "word",  "format",    "formats",  "grammars", "limits"};
-
 Words joined(Words first, const Words& second) {
     first.insert(first.end(), second.begin(), second.end());
     return first;
@@ -130,7 +127,7 @@ Lines in_forms(const Words& line, const Words& forms) {
     return all;
 }
 
-const std::string leaf = "data/curves/leaf.csv";
+const std::string leaf_file = "data/curves/leaf.csv";
 const std::string pebble = "data/curves/pebble.csv";
 const std::string open_curve = "data/curves/fibonacci-open.json";
 const Words own{"--expression", "L -> S L, S -> L"};
@@ -152,7 +149,8 @@ Lines validate_and_masks_lines() {
 }
 
 Lines subdivide_lines() {
-    const Words curve{"subdivide", "@fibonacci", leaf, "-d", "2", "--closed", "--word", "LS", "--repeat", "-n", "2"};
+    const Words curve{"subdivide", "@fibonacci", leaf_file,  "-d", "2", "--closed",
+                      "--word",    "LS",         "--repeat", "-n", "2"};
     const Words points{"subdivide", "@s0/13", pebble, "-n", "2"};
     const Words grid{"subdivide", "--u", "@fibonacci", "--v", "@silver-mean", "data/grids/wave.json", "-n", "1"};
     return Lines{curve,
@@ -177,18 +175,19 @@ Lines subdivide_lines() {
 }
 
 Lines reverse_lines() {
-    const Words closed{"reverse", "@fibonacci", leaf, "-d", "3", "--closed", "--word", "LS", "--repeat", "-n", "2"};
-    const Words points{"reverse", "@s0/13", leaf, "-n", "1"};
+    const Words closed{"reverse", "@fibonacci", leaf_file,  "-d", "3", "--closed",
+                       "--word",  "LS",         "--repeat", "-n", "2"};
+    const Words points{"reverse", "@s0/13", leaf_file, "-n", "1"};
     const Words open{
         "reverse", "@fibonacci", "data/curves/signal.csv", "-d", "3", "--word", "LS", "--repeat", "--resample",
         "-n",      "1"};
     return Lines{closed,
                  joined(closed, {"--local"}),
                  open,
-                 joined({"reverse", leaf, "-d", "2", "-n", "1", "--closed", "--word", "LS", "--repeat"}, own),
+                 joined({"reverse", leaf_file, "-d", "2", "-n", "1", "--closed", "--word", "LS", "--repeat"}, own),
                  points,
                  {"reverse", "@s0/13", "--rules"},
-                 {"reverse", "@four-point", leaf, "-n", "1"},
+                 {"reverse", "@four-point", leaf_file, "-n", "1"},
                  {"compose", "data/pyramids/leaf.json"}} +
            in_forms(points, {"json", "csv", "svg"});
 }

@@ -37,7 +37,7 @@ std::vector<fs::path> files_of_grammars(const std::string& extension) {
     return files;
 }
 
-std::vector<std::string> lines(const std::string& text) {
+std::vector<std::string> lines_in(const std::string& text) {
     std::vector<std::string> result;
     std::istringstream stream(text);
     for (std::string line; std::getline(stream, line);) result.push_back(line);
@@ -89,7 +89,7 @@ TEST_F(PointCommands, EveryBundledPointGrammarRuns) {
     for (const char* name : {"koch", "sierpinski", "kolam", "branching", "branching-smooth", "rational-arc"})
         EXPECT_THAT(out({std::string("@") + name, "-n", "1"}), StartsWith("x,y\n")) << name;
     for (const char* name : {"midpoint-displacement", "asked-cutting", "koch", "lane-riesenfeld", "four-point"})
-        EXPECT_EQ(lines(out({std::string("@") + name, pebble, "-n", "0"})).size(), 7U) << name;
+        EXPECT_EQ(lines_in(out({std::string("@") + name, pebble, "-n", "0"})).size(), 7U) << name;
 }
 
 /// All numbers of a text, in their order.
@@ -124,11 +124,11 @@ TEST_F(PointCommands, CompiledAndInterpretedWordsAgree) {
 }
 
 TEST_F(PointCommands, TraceTheWordsOfThePapers) {
-    EXPECT_THAT(lines(out({"@s0/11", "-n", "1", "--trace"})),
+    EXPECT_THAT(lines_in(out({"@s0/11", "-n", "1", "--trace"})),
                 ElementsAre("A(1.5) B(2, 3) A(4.5)", "A(4) A(3.5) A(7.5) A(10)"));
-    EXPECT_EQ(lines(out({"@s1/2", "-n", "1", "--trace"})).back(), "A(4) A(3.5) A(7.5) B(10) C(1)");
+    EXPECT_EQ(lines_in(out({"@s1/2", "-n", "1", "--trace"})).back(), "A(4) A(3.5) A(7.5) B(10) C(1)");
     EXPECT_EQ(out({"@s1/2", "-n", "1"}), "A(4) A(3.5) A(7.5) B(10) C(1)\n") << "a word without points is text";
-    EXPECT_EQ(lines(out({"@s1/10", "data/curves/square.csv", "-n", "1", "--trace"})).size(), 3U) << "p, then q";
+    EXPECT_EQ(lines_in(out({"@s1/10", "data/curves/square.csv", "-n", "1", "--trace"})).size(), 3U) << "p, then q";
 }
 
 TEST_F(PointCommands, WordsOfTwoGrammarsAreEqualLetterByLetter) {
@@ -153,8 +153,8 @@ TEST_F(PointCommands, ConstantsAreSetExactly) {
     EXPECT_EQ(out({"@corner-cutting", pebble, "-n", "2", "--set", "a=1/4"}), chaikin);
     EXPECT_EQ(out({"@corner-cutting", pebble, "-n", "2", "--set", "a=0.25"}), chaikin);
     EXPECT_NE(out({"@corner-cutting", pebble, "-n", "2"}), chaikin);
-    EXPECT_EQ(lines(out({"@lane-riesenfeld", pebble, "-n", "1", "--set", "n=0", "--trace"})).size(), 2U);
-    EXPECT_EQ(lines(out({"@lane-riesenfeld", pebble, "-n", "1", "--set", "n=5", "--trace"})).size(), 7U);
+    EXPECT_EQ(lines_in(out({"@lane-riesenfeld", pebble, "-n", "1", "--set", "n=0", "--trace"})).size(), 2U);
+    EXPECT_EQ(lines_in(out({"@lane-riesenfeld", pebble, "-n", "1", "--set", "n=5", "--trace"})).size(), 7U);
     refuses({"@corner-cutting", pebble, "-n", "1", "--set", "b=1"}, 2, "no constant `b`");
     refuses({"@corner-cutting", pebble, "-n", "1", "--set", "a"}, 2, "NAME=VALUE");
     refuses({"@corner-cutting", pebble, "-n", "1", "--set", "a=1/0"}, 2, "`1/0` is no number");
@@ -180,13 +180,13 @@ TEST_F(PointCommands, ASeedDecidesEverything) {
     EXPECT_EQ(coast("1"), coast("1"));
     EXPECT_EQ(coast("0"), out({"@midpoint-displacement", pebble, "-n", "4"}));
     EXPECT_NE(coast("1"), coast("2"));
-    EXPECT_EQ(lines(coast("7")).size(), 6U * 16 + 1);
+    EXPECT_EQ(lines_in(coast("7")).size(), 6U * 16 + 1);
 }
 
 TEST_F(PointCommands, WordsThatExplodeAreRefused) {
     refuses({"@s0/13", pebble, "-n", "99999"}, 3, "10000000");
     refuses({"@s0/13", pebble, "-n", "3", "--max-modules", "47"}, 3, "48");
-    EXPECT_EQ(lines(out({"@s0/13", pebble, "-n", "3", "--max-modules", "48"})).size(), 49U);
+    EXPECT_EQ(lines_in(out({"@s0/13", pebble, "-n", "3", "--max-modules", "48"})).size(), 49U);
     refuses({"@s0/13", pebble, "-n", "99", "--svg"}, 3, "--max-modules");
     refuses({"@s0/13", pebble, "-n", "99", "--trace"}, 3, "--max-modules");
     refuses({"@s0/13", pebble, "-n", "18446744073709551615"}, 3, "cycles");
@@ -259,10 +259,10 @@ TEST_F(PointCommands, PolygonsAndWordsMustAgree) {
 
 TEST_F(PointCommands, WeightsAreDividedOutLast) {
     const std::string arc = "data/curves/arc.csv";
-    EXPECT_EQ(lines(out({"@s0/34-36", arc, "-n", "0", "--rational"})),
+    EXPECT_EQ(lines_in(out({"@s0/34-36", arc, "-n", "0", "--rational"})),
               (std::vector<std::string>{"x,y,w", "0,0,1", "1,2,0.5", "2,0,1"}));
     EXPECT_THAT(out({"@s0/34-36", arc, "-n", "1", "--rational", "--json"}), HasSubstr("\"weights\": [1, "));
-    EXPECT_EQ(lines(out({"@s1/20-21", arc, "-n", "2", "--rational"})).front(), "x,y") << "the grammar has projected";
+    EXPECT_EQ(lines_in(out({"@s1/20-21", arc, "-n", "2", "--rational"})).front(), "x,y") << "the grammar has projected";
     here.file("far.csv", "0,0,1\n1,2,9\n2,0,1\n3,1,1\n");
     refuses({"@four-point", "far.csv", "-n", "2", "--rational", "--set", "w=2"}, 3, "weight of point");
     here.file("turned.csv", "0,0,1\n4,0,3\n4,3,1\n");
@@ -307,7 +307,7 @@ TEST_F(PointCommands, WriteEveryFormat) {
                       HasSubstr("\"cycles\": 1")));
     EXPECT_THAT(out({"@s0/13", "data/curves/square.csv", "-n", "0", "--format", "obj"}), HasSubstr("\nl 1 2 3 4 1\n"));
     const std::string tree = out({"@branching", "-n", "1", "--format", "obj"});
-    EXPECT_GE(std::ranges::count(lines(tree), 'l', [](const std::string& line) { return line.front(); }), 2) << tree;
+    EXPECT_GE(std::ranges::count(lines_in(tree), 'l', [](const std::string& line) { return line.front(); }), 2) << tree;
     EXPECT_THAT(out({"@s1/9", "data/curves/square.csv", "-n", "0", "--format", "obj"}), HasSubstr("\nl 5 6\n"));
     EXPECT_THAT(out({"@s0/13", pebble, "-n", "1", "--format", "npy"}), StartsWith("\x93NUMPY"));
     EXPECT_THAT(out({"@s0/13", pebble, "-n", "2", "--svg"}),

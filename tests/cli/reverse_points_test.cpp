@@ -13,16 +13,16 @@ namespace {
 using testing::EndsWith;
 using testing::HasSubstr;
 
-constexpr const char* coast = "data/curves/iceland-coast.csv";
+constexpr const char* coast_file = "data/curves/iceland-coast.csv";
 
 TEST(ReversePoints, TakesTheCoastFourLevelsDownInBothPhases) {
     const Workspace here;
-    const Outcome even = here.run({"reverse", "@s0/13", coast, "-n", "4", "--cut"});
+    const Outcome even = here.run({"reverse", "@s0/13", coast_file, "-n", "4", "--cut"});
     ASSERT_EQ(even.code, 0) << even.err;
     EXPECT_THAT(even.out, HasSubstr("4820 points, the last 4 cut off: 4816"));
     EXPECT_THAT(even.out, HasSubstr("P(v_l) < P(v_a) P(v_b) > P(v_r) -> P(-1/4 v_l + 3/4 v_a + 3/4 v_b - 1/4 v_r)"));
     EXPECT_THAT(even.out, HasSubstr("     4     301"));
-    const Outcome odd = here.run({"reverse", "@s0/13", coast, "-n", "4", "--cut", "--phase", "1"});
+    const Outcome odd = here.run({"reverse", "@s0/13", coast_file, "-n", "4", "--cut", "--phase", "1"});
     EXPECT_NE(even.out, odd.out);
 }
 
@@ -30,9 +30,9 @@ TEST(ReversePoints, TheDerivedRuleAndEquation38AreTheSame) {
     const Workspace here;
     for (const char* phase : {"0", "1"}) {
         const Outcome derived =
-            here.run({"reverse", "@s0/13", coast, "-n", "3", "--cut", "--phase", phase, "--format", "csv"});
+            here.run({"reverse", "@s0/13", coast_file, "-n", "3", "--cut", "--phase", phase, "--format", "csv"});
         const Outcome typed =
-            here.run({"reverse", "@s0/38", coast, "-n", "3", "--cut", "--phase", phase, "--format", "csv"});
+            here.run({"reverse", "@s0/38", coast_file, "-n", "3", "--cut", "--phase", phase, "--format", "csv"});
         ASSERT_EQ(derived.code, 0) << derived.err;
         EXPECT_EQ(derived.out, typed.out);
     }
@@ -61,35 +61,36 @@ TEST(ReversePoints, WritesItsRulesAsAGrammar) {
 
 TEST(ReversePoints, DrawsTheOriginalAndAllPhases) {
     const Workspace here;
-    const Outcome done = here.run(
-        {"reverse", "@s0/38", coast, "-n", "4", "--cut", "-q", "--picture", "phases.svg", "--coarse", "coarse.csv"});
+    const Outcome done = here.run({"reverse", "@s0/38", coast_file, "-n", "4", "--cut", "-q", "--picture", "phases.svg",
+                                   "--coarse", "coarse.csv"});
     ASSERT_EQ(done.code, 0) << done.err;
     const std::string picture = here.read("phases.svg");
     EXPECT_THAT(picture, HasSubstr(">original: 4816 points<"));
     EXPECT_THAT(picture, HasSubstr(">phase 0: 301 points<"));
     EXPECT_THAT(picture, HasSubstr(">phase 1: 301 points<"));
     EXPECT_THAT(here.read("coarse.csv"), testing::StartsWith("x_km,y_km\n"));
-    ASSERT_EQ(here.run({"reverse", "@s0/38", coast, "-n", "4", "--cut", "-o", "same.svg"}).code, 0);
+    ASSERT_EQ(here.run({"reverse", "@s0/38", coast_file, "-n", "4", "--cut", "-o", "same.svg"}).code, 0);
 }
 
 TEST(ReversePoints, SaysWhichNumbersOfPointsArePossible) {
     const Workspace here;
-    const Outcome refused = here.run({"reverse", "@s0/13", coast, "-n", "4"});
+    const Outcome refused = here.run({"reverse", "@s0/13", coast_file, "-n", "4"});
     EXPECT_EQ(refused.code, 3);
     EXPECT_THAT(refused.err, HasSubstr("--cut to 4816, --resample to the nearer of 4816 and 4832"));
-    EXPECT_THAT(here.run({"reverse", "@s0/13", coast, "-n", "4", "--resample"}).out, HasSubstr("resampled to 4816"));
+    EXPECT_THAT(here.run({"reverse", "@s0/13", coast_file, "-n", "4", "--resample"}).out,
+                HasSubstr("resampled to 4816"));
     EXPECT_EQ(here.run({"reverse", "@s0/13", "data/curves/pebble.csv", "-n", "60"}).code, 3);
     EXPECT_EQ(here.run({"reverse", "@s0/13", "data/curves/pebble.csv", "-n", "18446744073709551615"}).code, 3);
 }
 
 TEST(ReversePoints, RefusesWhatBelongsToOtherKinds) {
     const Workspace here;
-    EXPECT_EQ(here.run({"reverse", "@s0/13", coast, "-n", "1", "-d", "2"}).code, 2);
-    EXPECT_EQ(here.run({"reverse", "@s0/13", coast, "-n", "1", "--word", "L"}).code, 2);
+    EXPECT_EQ(here.run({"reverse", "@s0/13", coast_file, "-n", "1", "-d", "2"}).code, 2);
+    EXPECT_EQ(here.run({"reverse", "@s0/13", coast_file, "-n", "1", "--word", "L"}).code, 2);
     EXPECT_EQ(here.run({"reverse", "@s0/13"}).code, 2);
     EXPECT_EQ(here.run({"reverse", "@fibonacci"}).code, 2);
     EXPECT_EQ(here.run({"reverse", "@fibonacci", "data/curves/leaf.csv", "-d", "2", "--phase", "1"}).code, 2);
-    const Outcome open = here.run({"reverse", "@s0/34-36", coast});
+    const Outcome open = here.run({"reverse", "@s0/34-36", coast_file});
     EXPECT_EQ(open.code, 3);
     EXPECT_THAT(open.err, HasSubstr("open words"));
     EXPECT_EQ(

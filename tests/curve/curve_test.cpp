@@ -3,6 +3,7 @@
 #include "internode/curve/curve.h"
 
 #include "tests/fixtures/random_curve.h"
+#include "tests/fixtures/words.h"
 
 #include <gmock/gmock.h>
 #include <limits>
@@ -10,14 +11,11 @@
 namespace internode {
 namespace {
 
+using namespace tests::letters;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using tests::fibonacci;
-
-constexpr Symbol a{0};
-constexpr Symbol b{1};
-constexpr Symbol o = zero_interval;
 
 CurveData open_data(int degree, Word word) {
     CurveData data;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "internode/curve/limit.h"
+#include "tests/curve/frames.h"
 #include "tests/fixtures/interval_systems.h"
 #include "tests/fixtures/random_curve.h"
 #include "tests/reference/de_boor.h"
@@ -18,6 +19,7 @@ using reference::ExactCurve;
 using tests::all_shapes;
 using tests::curve_of;
 using tests::fibonacci;
+using tests::frames_of;
 using tests::Random;
 using tests::random_curve;
 using tests::Shape;
@@ -25,12 +27,6 @@ using tests::system_of;
 using tests::word_of;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-LimitFrames frames_of(const Curve& curve, int steps) {
-    Refinement refinement(curve);
-    refinement.advance(steps);
-    return limit_frames(curve, refinement);
-}
 
 /// The distance from |x| to the next larger double.
 double ulp(double x) {

@@ -5,6 +5,7 @@
 #include "internode/curve/refinement.h"
 #include "tests/fixtures/random_curve.h"
 #include "tests/fixtures/stride.h"
+#include "tests/fixtures/words.h"
 #include "tests/reference/de_boor.h"
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 namespace internode {
 namespace {
 
+using namespace tests::letters;
 using reference::DeBoorCurve;
 using reference::Real;
 using tests::all_shapes;
@@ -24,10 +26,6 @@ using tests::random_curve;
 using tests::random_system;
 using tests::Shape;
 using tests::system_with;
-
-constexpr Symbol a{0};
-constexpr Symbol b{1};
-constexpr Symbol o = zero_interval;
 
 std::vector<Real> abscissae(const DeBoorCurve& curve) {
     std::vector<Real> result;

@@ -8,6 +8,7 @@
 #include "internode/curve/refinement.h"
 #include "tests/fixtures/random_curve.h"
 #include "tests/fixtures/stride.h"
+#include "tests/fixtures/words.h"
 #include "tests/reference/de_boor.h"
 
 #include <cmath>
@@ -16,6 +17,7 @@
 namespace internode {
 namespace {
 
+using namespace tests::letters;
 using reference::DeBoorCurve;
 using reference::Real;
 using ::testing::ElementsAre;
@@ -24,11 +26,7 @@ using ::testing::HasSubstr;
 using tests::Random;
 using tests::system_with;
 
-const int repetitions = tests::times(40, 2);
-
-constexpr Symbol a{0};
-constexpr Symbol b{1};
-constexpr Symbol o = zero_interval;
+const int rounds = tests::times(40, 2);
 
 std::vector<Number> exact(const std::vector<std::string>& texts) {
     std::vector<Number> numbers;
@@ -191,7 +189,7 @@ TEST(KnotVector, RefusesADegreeOfZero) {
     EXPECT_THROW((void)fit_knots(halving(), open(0, 1, {"0", "1"})), std::invalid_argument);
 }
 
-/// Knots with repetitions, at the ends up to d + 1 times.
+/// Knots with rounds, at the ends up to d + 1 times.
 KnotVector random_knots(Random& random, int degree, bool is_closed) {
     const std::size_t d = static_cast<std::size_t>(degree);
     KnotVector knots;
@@ -241,7 +239,7 @@ DeBoorCurve on_its_own_knots(const KnotVector& vector, const std::vector<double>
     return curve;
 }
 
-Real difference(const DeBoorCurve& coarse, const DeBoorCurve& fine) {
+Real difference_of_first_coordinates(const DeBoorCurve& coarse, const DeBoorCurve& fine) {
     Real worst = std::max(std::abs(coarse.begin() - fine.begin()), std::abs(coarse.end() - fine.end()));
     for (std::size_t j = fine.degree; j < fine.points.size(); ++j) {
         const Real length = fine.knots[j + 1] - fine.knots[j];
@@ -258,7 +256,7 @@ Real difference(const DeBoorCurve& coarse, const DeBoorCurve& fine) {
 TEST(KnotVector, GivesTheCurveOfItsKnots) {
     Random random(20);
     int accepted = 0;
-    for (int time = 0; time < repetitions; ++time)
+    for (int time = 0; time < rounds; ++time)
         for (int degree = 1; degree <= 6; ++degree)
             for (const bool is_closed : {false, true}) {
                 const KnotVector knots = random_knots(random, degree, is_closed);
@@ -269,10 +267,11 @@ TEST(KnotVector, GivesTheCurveOfItsKnots) {
                 for (std::size_t k = 0; k < knots.points; ++k) data.points.push_back(random.coordinate());
                 const Curve curve = tests::curve_of(word.fitted->system, data);
                 const DeBoorCurve truth = on_its_own_knots(knots, data.points);
-                EXPECT_LE(difference(truth, reference::de_boor_curve(curve)), 1e-12);
-                EXPECT_LE(difference(truth, reference::de_boor_curve(refine(curve, 2))), 1e-12) << degree << is_closed;
+                EXPECT_LE(difference_of_first_coordinates(truth, reference::de_boor_curve(curve)), 1e-12);
+                EXPECT_LE(difference_of_first_coordinates(truth, reference::de_boor_curve(refine(curve, 2))), 1e-12)
+                    << degree << is_closed;
             }
-    EXPECT_GE(accepted, repetitions * 4);
+    EXPECT_GE(accepted, rounds * 4);
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "internode/curve/curve.h"
 #include "internode/curve/refinement.h"
 #include "tests/fixtures/random_curve.h"
+#include "tests/fixtures/words.h"
 
 #include <gmock/gmock.h>
 #include <limits>
@@ -13,14 +14,11 @@
 namespace internode {
 namespace {
 
+using namespace tests::letters;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using tests::fibonacci;
-
-constexpr Symbol a{0};
-constexpr Symbol b{1};
-constexpr Symbol o = zero_interval;
 
 std::vector<std::string> problems(int degree, Ends ends, Word word) {
     const CheckedKnots checked = make_knots(fibonacci(), {degree, ends, std::move(word)});

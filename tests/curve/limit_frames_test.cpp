@@ -2,7 +2,9 @@
 
 #include "internode/curve/frame.h"
 #include "internode/curve/limit.h"
+#include "tests/curve/frames.h"
 #include "tests/fixtures/random_curve.h"
+#include "tests/fixtures/words.h"
 #include "tests/reference/de_boor.h"
 
 #include <gmock/gmock.h>
@@ -13,26 +15,15 @@
 namespace internode {
 namespace {
 
+using namespace tests::letters;
 using reference::DeBoorCurve;
 using tests::all_shapes;
 using tests::fibonacci;
+using tests::frames_of;
 using tests::Random;
 using tests::random_curve;
+using tests::refined;
 using tests::Shape;
-
-constexpr Symbol a{0};
-constexpr Symbol b{1};
-constexpr Symbol o = zero_interval;
-
-Refinement refined(const Curve& curve, int steps) {
-    Refinement refinement(curve);
-    for (int step = 0; step < steps; ++step) refinement.step();
-    return refinement;
-}
-
-LimitFrames frames_of(const Curve& curve, int steps) {
-    return limit_frames(curve, refined(curve, steps));
-}
 
 /// Value and two derivatives of a curve at the ends of its pieces, by de Boor.
 class Slow {

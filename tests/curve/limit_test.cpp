@@ -3,7 +3,9 @@
 #include "internode/curve/limit.h"
 
 #include "internode/curve/parameter.h"
+#include "tests/curve/frames.h"
 #include "tests/fixtures/random_curve.h"
+#include "tests/fixtures/words.h"
 #include "tests/reference/de_boor.h"
 
 #include <bit>
@@ -12,23 +14,15 @@
 namespace internode {
 namespace {
 
+using namespace tests::letters;
 using reference::DeBoorCurve;
 using ::testing::ElementsAre;
 using tests::all_shapes;
 using tests::fibonacci;
 using tests::Random;
 using tests::random_curve;
+using tests::refined;
 using tests::Shape;
-
-constexpr Symbol a{0};
-constexpr Symbol b{1};
-constexpr Symbol o = zero_interval;
-
-Refinement refined(const Curve& curve, int steps) {
-    Refinement refinement(curve);
-    for (int step = 0; step < steps; ++step) refinement.step();
-    return refinement;
-}
 
 Refinement of(CurveData data) {
     return Refinement(tests::curve_of(fibonacci(), std::move(data)));

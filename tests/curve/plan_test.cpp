@@ -285,7 +285,7 @@ TEST(Plan, AppliesToManyPolygonsAtOnce) {
 
 TEST(LevelsPlan, GivesEveryLevelOfTheStepByStepRefinement) {
     Random random(4);
-    for (int time = 0; time < 20; ++time)
+    for (int time = 0; time < tests::times(20, 3); ++time)
         for (const auto& shape : all_shapes) {
             const int degree = 1 + static_cast<int>(random.below(6));
             const Curve curve = random_curve(random, tests::random_system(random), degree, shape, 6, 2);

@@ -6,6 +6,7 @@
 #include "tests/fixtures/interval_systems.h"
 #include "tests/fixtures/random_curve.h"
 #include "tests/fixtures/stride.h"
+#include "tests/fixtures/words.h"
 #include "tests/reference/de_boor.h"
 
 #include <cmath>
@@ -15,6 +16,7 @@
 namespace internode {
 namespace {
 
+using namespace tests::letters;
 using reference::DeBoorCurve;
 using reference::Real;
 using ::testing::ElementsAre;
@@ -30,10 +32,6 @@ using tests::system_with;
 const int repetitions = tests::times(2);
 /// Points: all twelve steps of every bundled grammar, or fewer.
 const std::uint64_t max_predicted = tests::in_full() ? 20'000'000 : 100'000;
-
-constexpr Symbol a{0};
-constexpr Symbol b{1};
-constexpr Symbol o = zero_interval;
 
 /// The largest difference of two curves over the same domain, at 3 places inside every interval of `fine`.
 Real difference(const DeBoorCurve& coarse, const DeBoorCurve& fine) {

@@ -55,6 +55,15 @@ TEST(SymbolicValue, GivesTheCoefficientOfEachPoint) {
     EXPECT_FALSE(value->has_coordinates);
 }
 
+TEST(SymbolicValue, AFactorMayFollowItsPoint) {
+    Reading reading("points\nt = 1/3\nP(u) < P(v) -> P(u*t + v*(1 - t))");
+    const auto value = reading.read();
+    ASSERT_TRUE(value && value->is_point);
+    ASSERT_EQ(value->coefficients.size(), 2U);
+    EXPECT_EQ(to_string(value->coefficients[0].second, reading.reader.names()), "t");
+    EXPECT_EQ(to_string(value->coefficients[1].second, reading.reader.names()), "1 - t");
+}
+
 TEST(SymbolicValue, ConstantsMayBeTheirValues) {
     Reading reading("points\nt = 1/3\nP(u) < P(v) -> P(t u + v)");
     const auto value = reading.read(ConstantReading::Values);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "internode/grammar/intervals/parse.h"
+#include "tests/grammar/error_cases.h"
 
 #include <gtest/gtest.h>
 
@@ -10,15 +11,7 @@ namespace internode {
 
 namespace {
 
-/// "line:column message | hint", a line each.
-std::string errors_of(std::string_view text) {
-    std::string result;
-    for (const Diagnostic& error : parse_grammar(text, "t").errors) {
-        result += fmt::format("{}:{} {}", error.line, error.column, error.message);
-        result += error.hint.empty() ? "\n" : fmt::format(" | {}\n", error.hint);
-    }
-    return result;
-}
+using tests::ErrorCase;
 
 constexpr std::string_view begin = "begin with `intervals NAME`, then one rule a line: `L -> S L`";
 constexpr std::string_view statement = "a statement is a rule `L -> S L`, `axiom L S`, `length L = 3/2` or `ring`";
@@ -26,13 +19,8 @@ constexpr std::string_view one_symbol = "a rule of an interval grammar has one s
 constexpr std::string_view nothing = "an interval cannot become nothing: write at least one symbol after `->`";
 constexpr std::string_view name = "a name is a letter, then letters, digits, `_` or `'`";
 
-struct Case {
-    std::string text;
-    std::string errors;
-};
-
-void expect_errors(const std::vector<Case>& cases) {
-    for (const auto& [text, errors] : cases) EXPECT_EQ(errors_of(text), errors) << text;
+void expect_errors(const std::vector<ErrorCase>& cases) {
+    tests::expect_errors(cases, [](std::string_view text) { return parse_grammar(text, "t").errors; });
 }
 
 } // namespace
@@ -200,13 +188,14 @@ TEST(ParseError, OfBytesThatAreNoText) {
 }
 
 TEST(ParseError, AllOfATextComeInTheOrderOfTheirPlaces) {
-    EXPECT_EQ(errors_of("intervals x\nL -> S (\nL -> L\naxiom 3\nlength L = 0\nfoo\n"),
-              "2:6 `S` has no rule | write `S -> S` if it should stay whole\n"
-              "2:8 `(` is never closed\n"
-              "3:1 a second rule for `L` | the first is in line 2\n"
-              "4:7 `3` is no letter of a word | to repeat a letter write `L^3`; `0` is the interval of length zero\n"
-              "5:12 a length must be positive, not `0` | `0` in a word is the interval of length zero\n" +
-                  fmt::format("6:1 `foo` begins no statement | {}\n", statement));
+    EXPECT_EQ(
+        tests::error_lines(parse_grammar("intervals x\nL -> S (\nL -> L\naxiom 3\nlength L = 0\nfoo\n", "t").errors),
+        "2:6 `S` has no rule | write `S -> S` if it should stay whole\n"
+        "2:8 `(` is never closed\n"
+        "3:1 a second rule for `L` | the first is in line 2\n"
+        "4:7 `3` is no letter of a word | to repeat a letter write `L^3`; `0` is the interval of length zero\n"
+        "5:12 a length must be positive, not `0` | `0` in a word is the interval of length zero\n" +
+            fmt::format("6:1 `foo` begins no statement | {}\n", statement));
 }
 
 TEST(ParseError, ColumnsCountCodePoints) {

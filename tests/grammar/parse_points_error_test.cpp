@@ -3,6 +3,7 @@
 // What is refused in a point grammar, where, and with which remedy.
 
 #include "internode/grammar/points/parse_points.h"
+#include "tests/grammar/error_cases.h"
 
 #include <gtest/gtest.h>
 
@@ -12,34 +13,30 @@ namespace internode {
 
 namespace {
 
-/// "line:column message | hint", a line each.
-std::string errors_of(std::string_view text) {
-    std::string result;
-    for (const Diagnostic& error : parse_point_grammar(text, "t").errors) {
-        result += fmt::format("{}:{} {}", error.line, error.column, error.message);
-        result += error.hint.empty() ? "\n" : fmt::format(" | {}\n", error.hint);
-    }
-    return result;
-}
+using tests::ErrorCase;
 
-struct Case {
-    std::string text;
-    std::string errors;
-};
-
-void expect_errors(const std::vector<Case>& cases) {
-    for (const auto& [text, errors] : cases) EXPECT_EQ(errors_of(text), errors) << text;
+void expect_point_errors(const std::vector<ErrorCase>& cases) {
+    tests::expect_errors(cases, [](std::string_view text) { return parse_point_grammar(text, "t").errors; });
 }
 
 /// Of statements that follow the line `points`.
-void expect_errors_after_kind(const std::vector<Case>& cases) {
-    for (const auto& [text, errors] : cases) EXPECT_EQ(errors_of("points\n" + text), errors) << text;
+void expect_errors_after_kind(const std::vector<ErrorCase>& cases) {
+    tests::expect_errors(cases, [](const std::string_view text) {
+        return parse_point_grammar("points\n" + std::string(text), "t").errors;
+    });
 }
 
 } // namespace
 
+TEST(ParsePointsError, CoverWhatStandsInParentheses) {
+    const std::vector<Diagnostic> errors = parse_point_grammar("points\nP(u) < P(v) -> P(-(1 < 2) + u)\n", "t").errors;
+    ASSERT_EQ(errors.size(), 1U);
+    EXPECT_EQ(errors[0].column, 19U);
+    EXPECT_EQ(errors[0].width, std::string_view("(1 < 2)").size());
+}
+
 TEST(ParsePointsError, OfTheFirstStatement) {
-    expect_errors({
+    expect_point_errors({
         {"", "1:1 the text has no statement | begin with `points NAME`, then one rule a line: `P(v) -> P(v) P(v)`\n"},
         {"points", "1:1 a grammar without rules | write one rule a line: `P(v) -> P(v) P(v)`\n"},
         {"intervals\nP(v) -> P(v)", "1:1 a grammar of kind `intervals` where a point grammar is wanted | begin with "

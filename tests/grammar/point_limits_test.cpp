@@ -183,10 +183,10 @@ TEST(PointLimits, OfDigits) {
 }
 
 TEST(PointLimits, OfNames) {
-    const std::string name(max_name_bytes, 'a');
-    EXPECT_EQ(first_error(fmt::format("P({0}) -> P({0})", name)), "");
-    EXPECT_EQ(first_error(fmt::format("P({0}a) -> P({0}a)", name)), "a name of 101 bytes, more than 100");
-    EXPECT_EQ(first_error(name + "a = 1\n" + std::string(rule)), "a name of 101 bytes, more than 100");
+    const std::string longest_name(max_name_bytes, 'a');
+    EXPECT_EQ(first_error(fmt::format("P({0}) -> P({0})", longest_name)), "");
+    EXPECT_EQ(first_error(fmt::format("P({0}a) -> P({0}a)", longest_name)), "a name of 101 bytes, more than 100");
+    EXPECT_EQ(first_error(longest_name + "a = 1\n" + std::string(rule)), "a name of 101 bytes, more than 100");
     EXPECT_EQ(first_error("A1" + std::string(max_name_bytes, '1') + " -> ."),
               "a symbol of 102 characters, more than 100");
 }

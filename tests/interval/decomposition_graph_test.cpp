@@ -17,16 +17,15 @@ namespace {
 
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
+using tests::fibonacci_grammar;
 using tests::make_grammar;
 using tests::system_of;
 using tests::with_axiom;
 
 constexpr std::size_t plenty = 100'000;
 
-const IntervalGrammar fibonacci = make_grammar({{"L", "S L"}, {"S", "L"}});
-
 TEST(DecompositionGraph, FibonacciHasDPlusTwoPersistentWordsAndTwoDWindows) {
-    const IntervalSystem system = system_of(fibonacci);
+    const IntervalSystem system = system_of(fibonacci_grammar());
     for (std::size_t d = 1; d <= 8; ++d) {
         EXPECT_THAT(word_graph(system, d + 1, WordChoice::Default, plenty).words, SizeIs(d + 2));
         EXPECT_THAT(word_graph(system, 2 * d - 1, WordChoice::Persistent, plenty).words, SizeIs(2 * d));
@@ -34,7 +33,7 @@ TEST(DecompositionGraph, FibonacciHasDPlusTwoPersistentWordsAndTwoDWindows) {
 }
 
 TEST(DecompositionGraph, ArcsLeadToTheFactorsOfTheImage) {
-    const IntervalSystem system = system_of(with_axiom(fibonacci, "L L S S L", Ends::Circular));
+    const IntervalSystem system = system_of(with_axiom(fibonacci_grammar(), "L L S S L", Ends::Circular));
     const FactorGraph graph = word_graph(system, 3, WordChoice::Default, plenty);
     for (std::size_t v = 0; v < graph.words.size(); ++v) {
         const std::vector<Word> images = windows(system.rules()(graph.words[v]), 3, Ends::Open);
@@ -47,18 +46,18 @@ TEST(DecompositionGraph, ArcsLeadToTheFactorsOfTheImage) {
 
 TEST(DecompositionGraph, AnAxiomBringsTransientWords) {
     // Closed SSSSS, d = 3: the six persistent windows and three transient ones.
-    const IntervalSystem system = system_of(with_axiom(fibonacci, "S S S S S", Ends::Circular));
+    const IntervalSystem system = system_of(with_axiom(fibonacci_grammar(), "S S S S S", Ends::Circular));
     const FactorGraph graph = word_graph(system, 5, WordChoice::Default, plenty);
     EXPECT_THAT(graph.words, SizeIs(9));
     EXPECT_EQ(std::ranges::count(graph.persistent, true), 6);
 }
 
 TEST(DecompositionGraph, WindowsOfZerosOnlyAreLeftOut) {
-    const IntervalSystem system = system_of(with_axiom(fibonacci, "0 0 0 L S 0 0 0"));
+    const IntervalSystem system = system_of(with_axiom(fibonacci_grammar(), "0 0 0 L S 0 0 0"));
     const FactorGraph graph = word_graph(system, 3, WordChoice::Default, plenty);
     EXPECT_EQ(std::ranges::count(graph.words, Word(3, zero_interval)), 0);
     EXPECT_EQ(std::ranges::count(graph.words, (Word{zero_interval, zero_interval, Symbol{0}})), 1);
-    const IntervalSystem tiny = system_of(with_axiom(fibonacci, "L S"));
+    const IntervalSystem tiny = system_of(with_axiom(fibonacci_grammar(), "L S"));
     EXPECT_THAT(word_graph(tiny, 3, WordChoice::Default, plenty).words, IsEmpty()) << "shorter than a window";
 }
 
@@ -73,7 +72,7 @@ TEST(DecompositionGraph, SymbolsThatCannotOccurAreInNoWord) {
 }
 
 TEST(DecompositionGraph, RefusesWhatItCannotAnswer) {
-    const IntervalSystem system = system_of(fibonacci);
+    const IntervalSystem system = system_of(fibonacci_grammar());
     EXPECT_THROW((void)word_graph(system, 0, WordChoice::Default, plenty), std::invalid_argument);
     EXPECT_THROW((void)word_graph(system, 2, WordChoice::Reachable, plenty), std::invalid_argument);
     EXPECT_THROW((void)word_graph(system, 3, WordChoice::All, 7), TooManyWords);

@@ -15,15 +15,14 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::SizeIs;
+using tests::fibonacci_grammar;
 using tests::make_grammar;
 using tests::slow_growth;
 using tests::system_of;
 using tests::with_length;
 
-const IntervalGrammar fibonacci = make_grammar({{"L", "S L"}, {"S", "L"}});
-
 TEST(IntervalSystem, TheZeroIntervalHasLengthZero) {
-    const IntervalSystem system = system_of(fibonacci);
+    const IntervalSystem system = system_of(fibonacci_grammar());
     EXPECT_EQ(system.length(zero_interval), Number(0));
     EXPECT_FALSE(system.occurs(zero_interval));
     EXPECT_EQ(system.length(Symbol{0}), system.ratio());
@@ -31,12 +30,12 @@ TEST(IntervalSystem, TheZeroIntervalHasLengthZero) {
 }
 
 TEST(IntervalSystem, OnlyTheGoldenRatioHasItsOwnName) {
-    EXPECT_EQ(system_of(fibonacci).ratio_name(), "φ");
+    EXPECT_EQ(system_of(fibonacci_grammar()).ratio_name(), "φ");
     EXPECT_EQ(system_of(slow_growth(2)).ratio_name(), "ρ");
 }
 
 TEST(IntervalSystem, BisectionKeepsLengthsAndField) {
-    const IntervalSystem system = system_of(fibonacci);
+    const IntervalSystem system = system_of(fibonacci_grammar());
     const IntervalSystem halves = bisection(system);
     EXPECT_EQ(halves.lengths(), system.lengths());
     EXPECT_EQ(halves.field(), system.field());
@@ -48,8 +47,9 @@ TEST(IntervalSystem, BisectionKeepsLengthsAndField) {
 }
 
 TEST(IntervalSystem, APowerKeepsLengthsAndFieldAndSatisfiesItsOwnEquation) {
-    for (const IntervalGrammar& grammar : {fibonacci, slow_growth(3), make_grammar({{"A", "A B"}, {"B", "B B B"}}),
-                                           with_length(make_grammar({{"A", "A A"}, {"B", "B B"}}), "B", 5)}) {
+    for (const IntervalGrammar& grammar :
+         {fibonacci_grammar(), slow_growth(3), make_grammar({{"A", "A B"}, {"B", "B B B"}}),
+          with_length(make_grammar({{"A", "A A"}, {"B", "B B"}}), "B", 5)}) {
         const IntervalSystem system = system_of(grammar);
         for (int steps = 1; steps <= 6; ++steps) {
             const IntervalSystem several = power(system, steps);
@@ -72,14 +72,14 @@ TEST(IntervalSystem, APowerHasThePeriodAndTheNameOfItsSteps) {
         const IntervalSystem several = power(slow, steps);
         EXPECT_EQ(several.period(), system_of(several.grammar()).period()) << steps;
     }
-    IntervalGrammar named = fibonacci;
-    named.name = "fibonacci";
-    EXPECT_EQ(power(system_of(named), 1).grammar().name, "fibonacci");
-    EXPECT_EQ(power(system_of(named), 3).grammar().name, "fibonacci^3");
+    IntervalGrammar named = fibonacci_grammar();
+    named.name = "fibonacci_grammar()";
+    EXPECT_EQ(power(system_of(named), 1).grammar().name, "fibonacci_grammar()");
+    EXPECT_EQ(power(system_of(named), 3).grammar().name, "fibonacci_grammar()^3");
 }
 
 TEST(IntervalSystem, APowerIsAtLeastOneAndWithinTheLimit) {
-    const IntervalSystem system = system_of(fibonacci);
+    const IntervalSystem system = system_of(fibonacci_grammar());
     EXPECT_THROW((void)power(system, 0), std::invalid_argument);
     EXPECT_THROW((void)power(system, 60), std::length_error);
     EXPECT_THROW((void)power(system, 2'000'000'000), std::length_error);
@@ -96,7 +96,7 @@ TEST(IntervalSystem, LengthsAreGivenBeforeAPowerIsTaken) {
 }
 
 TEST(IntervalSystem, AGivenLengthScalesTheOthers) {
-    const IntervalSystem system = system_of(fibonacci);
+    const IntervalSystem system = system_of(fibonacci_grammar());
     const FixedLengths fixed = with_lengths(system, {{Symbol{1}, Number(Rational(1, 2))}});
     ASSERT_TRUE(fixed.system);
     EXPECT_THAT(fixed.system->lengths(), ElementsAre(system.ratio() / 2, Number(Rational(1, 2))));
@@ -107,7 +107,7 @@ TEST(IntervalSystem, AGivenLengthScalesTheOthers) {
 }
 
 TEST(IntervalSystem, AGivenLengthMayLieInTheField) {
-    const IntervalSystem system = system_of(fibonacci);
+    const IntervalSystem system = system_of(fibonacci_grammar());
     const Number phi = system.ratio();
     const FixedLengths fixed = with_lengths(system, {{Symbol{0}, 1 / phi}, {Symbol{1}, 1 / (phi * phi)}});
     ASSERT_TRUE(fixed.system);
@@ -118,7 +118,7 @@ TEST(IntervalSystem, AGivenLengthMayLieInTheField) {
 }
 
 TEST(IntervalSystem, GivenLengthsThatDisagreeAreReportedWithBothNumbers) {
-    const IntervalSystem system = system_of(fibonacci);
+    const IntervalSystem system = system_of(fibonacci_grammar());
     const FixedLengths fixed = with_lengths(system, {{Symbol{1}, 1}, {Symbol{0}, 2}});
     EXPECT_FALSE(fixed.system);
     ASSERT_THAT(fixed.conflicts, SizeIs(1));

@@ -13,6 +13,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
+using tests::fibonacci_grammar;
 using tests::make_grammar;
 using tests::slow_growth;
 using tests::with_axiom;
@@ -36,10 +37,8 @@ std::vector<ReasonCode> codes(const Verdict& verdict) {
     return result;
 }
 
-const IntervalGrammar fibonacci = make_grammar({{"L", "S L"}, {"S", "L"}});
-
 TEST(Validity, FibonacciHasTheGoldenRatio) {
-    const Verdict verdict = validate(fibonacci);
+    const Verdict verdict = validate(fibonacci_grammar());
     ASSERT_EQ(verdict.decision, Decision::Valid);
     EXPECT_TRUE(verdict.exact);
     EXPECT_THAT(verdict.reasons, IsEmpty());
@@ -191,7 +190,7 @@ TEST(Validity, EqualRatiosOfDifferentBlocksAreEqualExactly) {
 }
 
 TEST(Validity, ADeclaredLengthScalesItsFinalClass) {
-    const Verdict verdict = validate(with_length(fibonacci, "L", Rational(3, 2)));
+    const Verdict verdict = validate(with_length(fibonacci_grammar(), "L", Rational(3, 2)));
     ASSERT_EQ(verdict.decision, Decision::Valid);
     const Number& phi = verdict.field->generator();
     EXPECT_THAT(exact(verdict.lengths), ElementsAre(Number(Rational(3, 2)), Number(Rational(3, 2)) / phi));
@@ -200,15 +199,15 @@ TEST(Validity, ADeclaredLengthScalesItsFinalClass) {
 }
 
 TEST(Validity, RefusesDeclaredLengthsThatDisagree) {
-    const Verdict verdict = validate(with_length(with_length(fibonacci, "S", 1), "L", Rational(8, 5)));
+    const Verdict verdict = validate(with_length(with_length(fibonacci_grammar(), "S", 1), "L", Rational(8, 5)));
     EXPECT_EQ(verdict.decision, Decision::Invalid);
     EXPECT_THAT(codes(verdict), ElementsAre(ReasonCode::LengthsDisagree));
     EXPECT_THAT(messages(verdict), ElementsAre("length L = 8/5 disagrees: with the lengths before it, L has length "
                                                "φ ≈ 1.618033989 (residual -0.018)"));
     EXPECT_FALSE(verdict.system);
     EXPECT_THAT(verdict.theorems, IsEmpty());
-    EXPECT_EQ(validate(with_length(with_length(fibonacci, "S", 1), "S", 1)).decision, Decision::Valid);
-    EXPECT_EQ(validate(with_length(with_length(fibonacci, "S", 1), "S", 2)).decision, Decision::Invalid);
+    EXPECT_EQ(validate(with_length(with_length(fibonacci_grammar(), "S", 1), "S", 1)).decision, Decision::Valid);
+    EXPECT_EQ(validate(with_length(with_length(fibonacci_grammar(), "S", 1), "S", 2)).decision, Decision::Invalid);
 }
 
 TEST(Validity, ALengthThatCombinesFinalClassesFixesTheLastScale) {
@@ -226,7 +225,7 @@ TEST(Validity, ALengthThatCombinesFinalClassesFixesTheLastScale) {
 
 TEST(Validity, BoundsDecideWhereTheySeparate) {
     const ValidityLimits bounds{0, 32};
-    const Verdict whole = validate(fibonacci, bounds);
+    const Verdict whole = validate(fibonacci_grammar(), bounds);
     EXPECT_EQ(whole.decision, Decision::Valid) << "one class needs no number at all";
     EXPECT_FALSE(whole.exact);
     EXPECT_FALSE(whole.system);
@@ -255,7 +254,7 @@ TEST(Validity, OverlappingBoundsAreUndecided) {
 
 TEST(Validity, DeclaredLengthsAreCheckedAgainstBoundsToo) {
     const ValidityLimits bounds{0, 32};
-    const IntervalGrammar given = with_length(fibonacci, "S", 2);
+    const IntervalGrammar given = with_length(fibonacci_grammar(), "S", 2);
     EXPECT_EQ(validate(given, bounds).lengths[1].exact, Number(2));
     EXPECT_NEAR(validate(given, bounds).lengths[0].value, 3.23606797749979, 1e-12);
     EXPECT_EQ(validate(with_length(given, "L", 3), bounds).decision, Decision::Invalid);

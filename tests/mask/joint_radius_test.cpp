@@ -7,6 +7,7 @@
 
 #include "internode/algebra/fraction.h"
 #include "internode/mask/smoothness.h"
+#include "tests/fixtures/masks.h"
 
 #include <gtest/gtest.h>
 
@@ -21,12 +22,6 @@ using Two = std::array<Rational, 4>; // a b, c d
 
 Two product(const Two& a, const Two& b) {
     return {a[0] * b[0] + a[1] * b[2], a[0] * b[1] + a[1] * b[3], a[2] * b[0] + a[3] * b[2], a[2] * b[1] + a[3] * b[3]};
-}
-
-Rational power(const Rational& base, std::size_t exponent) {
-    Rational result = 1;
-    for (std::size_t i = 0; i < exponent; ++i) result *= base;
-    return result;
 }
 
 /// -1, 0, 1: the value is smaller than, equal to, larger than the largest modulus of an eigenvalue.
@@ -52,8 +47,8 @@ bool is_best_lower_bound(const Rational& value, const std::vector<Rational>& b) 
             for (const Two& step : steps) longer.push_back(product(matrix, step));
         products = std::move(longer);
         for (const Two& matrix : products) {
-            reached = reached || against_radius(power(value, k), matrix) <= 0;
-            if (against_radius(power(more, k), matrix) < 0) return false;
+            reached = reached || against_radius(tests::power(value, k), matrix) <= 0;
+            if (against_radius(tests::power(more, k), matrix) < 0) return false;
         }
     }
     return reached;
@@ -89,9 +84,9 @@ TEST(JointRadius, UpperBoundIsTheRootOfTheNormRoundedUp) {
     std::size_t rounded = 0;
     for (const std::vector<Rational>& scheme : random_schemes()) {
         const JointRadius radius = joint_radius(scheme, 2, RadiusBounds::Norms);
-        EXPECT_GE(power(radius.upper, radius.steps), radius.norm);
-        if (power(radius.upper, radius.steps) == radius.norm) continue;
-        EXPECT_LT(power(radius.upper - bit, radius.steps), radius.norm);
+        EXPECT_GE(tests::power(radius.upper, radius.steps), radius.norm);
+        if (tests::power(radius.upper, radius.steps) == radius.norm) continue;
+        EXPECT_LT(tests::power(radius.upper - bit, radius.steps), radius.norm);
         ++rounded;
     }
     EXPECT_GT(rounded, 20U);
@@ -101,9 +96,9 @@ TEST(JointRadius, OfCornerCuttingAtThirdsIsBetweenItsBounds) {
     // (1 + √5)/6, above which (6x - 1)² > 5.
     const std::vector<Rational> thirds{fraction(1, 3), fraction(1, 3), fraction(1, 3)};
     const JointRadius radius = joint_radius(thirds, 2);
-    EXPECT_LE(power(6 * radius.lower - 1, 2), 5);
-    EXPECT_GT(power(6 * (radius.lower + Rational(1) / (Integer(1) << 60)) - 1, 2), 5);
-    EXPECT_GE(power(6 * radius.upper - 1, 2), 5);
+    EXPECT_LE(tests::power(6 * radius.lower - 1, 2), 5);
+    EXPECT_GT(tests::power(6 * (radius.lower + Rational(1) / (Integer(1) << 60)) - 1, 2), 5);
+    EXPECT_GE(tests::power(6 * radius.upper - 1, 2), 5);
 }
 
 TEST(JointRadius, OfPositiveSchemesOfFiveIsEnclosed) {

@@ -28,17 +28,11 @@ Rational refined(const UniformMask& mask, std::ptrdiff_t k, Function f) {
     return sum;
 }
 
-Rational power(const Rational& x, std::size_t exponent) {
-    Rational result = 1;
-    for (std::size_t i = 0; i < exponent; ++i) result *= x;
-    return result;
-}
-
 /// Whether the new sequence of x^degree has vanishing differences of order degree + 1.
 bool generates(const UniformMask& mask, std::size_t degree) {
     std::vector<Rational> values;
     for (std::ptrdiff_t k = 0; k < 12; ++k)
-        values.push_back(refined(mask, k, [&](const Rational& x) { return power(x, degree); }));
+        values.push_back(refined(mask, k, [&](const Rational& x) { return tests::power(x, degree); }));
     for (std::size_t order = 0; order <= degree; ++order) {
         for (std::size_t i = 0; i + 1 < values.size(); ++i) values[i] = values[i + 1] - values[i];
         values.pop_back();
@@ -50,7 +44,8 @@ bool reproduces(const UniformMask& mask, std::size_t degree, const Rational& shi
     const Rational m(static_cast<unsigned long>(mask.arity));
     for (std::ptrdiff_t k = 0; k < 6; ++k) {
         const Rational at = (Rational(k) - shift) / m;
-        if (refined(mask, k, [&](const Rational& x) { return power(x, degree); }) != power(at, degree)) return false;
+        if (refined(mask, k, [&](const Rational& x) { return tests::power(x, degree); }) != tests::power(at, degree))
+            return false;
     }
     return true;
 }
@@ -78,6 +73,9 @@ TEST(MaskProperties, SymbolsOfThePapersSchemes) {
     EXPECT_EQ(mask_properties(mask_of({1, 1, 1, 1}, 1, 4)).symbol, "(1 + z + ... + z^3)");
     EXPECT_EQ(mask_properties(mask_of({1, 2}, 1, 2)).symbol, "(1 + 2 z)");
     EXPECT_EQ(mask_properties(mask_of({1}, 1, 2)).symbol, "1");
+    EXPECT_EQ(mask_properties(mask_of({-2, -1}, 1, 2)).symbol, "-1 (2 + z)");
+    EXPECT_EQ(mask_properties(mask_of({1, -1}, 1, 2)).symbol, "(1 - z)") << "a sum of 0: the first is positive";
+    EXPECT_EQ(mask_properties(mask_of({-1, 1}, 1, 2)).symbol, "-1 (1 - z)");
 }
 
 TEST(MaskProperties, FourPointReproducesCubicsAndStays) {

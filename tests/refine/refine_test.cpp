@@ -89,6 +89,7 @@ TEST(Refine, RefusesAGrammarAsTheCommandDoes) {
     const std::string said = refusal("L -> S L\nS -> (", pentagon, {});
     EXPECT_THAT(said, HasSubstr("<grammar>:2:"));
     EXPECT_THAT(said, HasSubstr("^")) << "the caret";
+    EXPECT_THAT(refusal("L -> L @", pentagon, {}), HasSubstr("<grammar>:1:"));
     EXPECT_THAT(refusal("A -> A A, B -> B", pentagon, {.word = "AB"}), HasSubstr("not a valid interval system\n  "));
 }
 

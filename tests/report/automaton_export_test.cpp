@@ -51,9 +51,9 @@ TEST(AutomatonExport, ServesEveryOpenAndClampedWordThatPersists) {
 }
 
 TEST(AutomatonExport, OfAWordHoldsItsCellsAndNoOther) {
-    const IntervalSystem fibonacci = system_of("L->SL, S->L");
-    const Axiom word{tests::word_of(fibonacci, "SSSSS"), Ends::Circular};
-    const AutomatonExport exported = export_automaton("g", fibonacci, 3, word, max_states);
+    const IntervalSystem fibonacci_system = system_of("L->SL, S->L");
+    const Axiom word{tests::word_of(fibonacci_system, "SSSSS"), Ends::Circular};
+    const AutomatonExport exported = export_automaton("g", fibonacci_system, 3, word, max_states);
     EXPECT_EQ(exported.start, "word");
     EXPECT_EQ(exported.automaton.state_count(), 9U);
     EXPECT_EQ(persistent("L->SL, S->L; axiom (SSSSS)", 3).automaton.state_count(), 9U);
@@ -61,17 +61,17 @@ TEST(AutomatonExport, OfAWordHoldsItsCellsAndNoOther) {
 }
 
 TEST(AutomatonExport, RefusesWhatIsNone) {
-    const IntervalSystem fibonacci = system_of("L->SL, S->L");
+    const IntervalSystem fibonacci_system = system_of("L->SL, S->L");
     const auto make = [&](int degree, WordChoice choice, std::size_t limit) {
-        return export_automaton("g", fibonacci, degree, choice, limit);
+        return export_automaton("g", fibonacci_system, degree, choice, limit);
     };
     EXPECT_THROW((void)make(0, WordChoice::Default, max_states), std::invalid_argument);
     EXPECT_THROW((void)make(13, WordChoice::Default, max_states), std::invalid_argument);
     EXPECT_THROW((void)make(2, WordChoice::Reachable, max_states), std::invalid_argument);
     EXPECT_THROW((void)make(2, WordChoice::Persistent, 10), TooManyStates);
     EXPECT_THROW((void)make(5, WordChoice::All, 10), TooManyWords);
-    const Axiom word{tests::word_of(fibonacci, "LS"), Ends::Open};
-    EXPECT_THROW((void)export_automaton("g", fibonacci, 2, word, max_states), std::invalid_argument);
+    const Axiom word{tests::word_of(fibonacci_system, "LS"), Ends::Open};
+    EXPECT_THROW((void)export_automaton("g", fibonacci_system, 2, word, max_states), std::invalid_argument);
     EXPECT_THROW((void)cells_of_windows({}, 0), std::invalid_argument);
 }
 

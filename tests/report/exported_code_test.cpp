@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint32_t steps = 3;
-const Generator maker{"0.1.0", "internode masks"};
+const Generator exporter{"0.1.0", "internode masks"};
 
 /// An export and the curves that are refined by it.
 struct Case {
@@ -213,7 +213,7 @@ void expect_the_header_to_agree(const std::string& compiler) {
     const Folder here;
     std::string list;
     for (const Case& one : all_cases()) {
-        (void)here.file(one.name + ".h", automaton_c(one.exported, maker));
+        (void)here.file(one.name + ".h", automaton_c(one.exported, exporter));
         list += "#include \"" + one.name + ".h\"\n";
     }
     (void)here.file("exported.h", list + exports_macro());
@@ -242,7 +242,8 @@ TEST(ExportedC, GivesTheLibrarysBytesWithClang) {
 TEST(ExportedC, RefusesWordsThatItsTablesDoNotKnow) {
     const Folder here;
     const IntervalSystem fibonacci = tests::system_of("L->SL, S->L");
-    (void)here.file("f.h", automaton_c(export_automaton("f", fibonacci, 2, WordChoice::Persistent, max_states), maker));
+    (void)here.file("f.h",
+                    automaton_c(export_automaton("f", fibonacci, 2, WordChoice::Persistent, max_states), exporter));
     const std::string source = here.file("main.c", R"(#include "f.h"
 static int cells(const char *text, int closed)
 {
@@ -284,7 +285,7 @@ TEST(ExportedC, IsCodeWhateverTheNamesAre) {
 std::string glsl_output(const Folder& here, bool is_double) {
     std::string list;
     for (const Case& one : all_cases()) {
-        std::string text = automaton_glsl(one.exported, maker);
+        std::string text = automaton_glsl(one.exported, exporter);
         for (auto at = text.find("lf"); at != std::string::npos; at = text.find("lf", at))
             text.replace(at, 2, text[at - 1] >= '0' && text[at - 1] <= '9' ? "" : "LF");
         (void)here.file(one.name + ".glsl", text);
@@ -318,7 +319,7 @@ TEST(ExportedGlsl, IsAcceptedByTheReferenceCompiler) {
     if (glslang.empty()) GTEST_SKIP() << "NO glslangValidator HERE: GLSL was not given to its compiler";
     const Folder here;
     for (const Case& one : all_cases()) {
-        const std::string text = automaton_glsl(one.exported, maker);
+        const std::string text = automaton_glsl(one.exported, exporter);
         expect_success(here, glslang + " -S comp " + here.file("float.comp", "#version 430\n" + text));
         expect_success(here, glslang + " -S comp " +
                                  here.file("double.comp", "#version 430\n#define INTERNODE_DOUBLE\n" + text));

@@ -56,6 +56,13 @@ TEST(PointValidationText, NamesPointsThatStay) {
     EXPECT_THAT(text, HasSubstr("not complete"));
 }
 
+TEST(PointValidationText, NamesModulesOfTheAxiomThatStay) {
+    const std::string rule = "P(u) < P(v) > P(p) P(q) -> P(v) P(-1/16 u + 9/16 v + 9/16 p - 1/16 q)\n";
+    EXPECT_THAT(text_of("points\naxiom P((0, 0)) P((1, 0)) P((2, 1)) P((3, 0)) P((4, 0))\n" + rule),
+                HasSubstr(", from the axiom\n"));
+    EXPECT_THAT(text_of(open_four), Not(HasSubstr("from the axiom")));
+}
+
 TEST(PointValidationText, NamesProblemsOfKinds) {
     const std::string text = text_of(number);
     EXPECT_THAT(text, HasSubstr("number: not valid\n  - line 2: "));

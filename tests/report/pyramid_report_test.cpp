@@ -18,16 +18,15 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
-using tests::fibonacci;
 using tests::Random;
 using tests::random_curve;
 using tests::Shape;
 
 PyramidReport report_of(Shape shape, std::size_t dimension, std::size_t kept_details, const Fitting& fitting = {}) {
     Random random(3);
-    const Curve coarse = random_curve(random, fibonacci(), 3, shape, 6, dimension);
+    const Curve coarse = random_curve(random, tests::fibonacci(), 3, shape, 6, dimension);
     std::vector<double> fine(refined_size(coarse, 4, 100'000).points * dimension);
-    for (double& number : fine) number = random.coordinate();
+    for (double& coordinate : fine) coordinate = random.coordinate();
     Analysis analysis = analyse(coarse.knots(), 4, dimension, fine);
     Pyramid kept = with_longest(analysis.pyramid, kept_details);
     return pyramid_report(std::move(analysis), std::move(kept), fitting, "<leaf>.csv");
@@ -52,10 +51,10 @@ TEST(PyramidReport, ListsEveryLevelFromThePolygonDown) {
     while (std::getline(lines, line) && !line.starts_with("  level")) {
     }
     for (std::size_t level = 5; level-- > 0;) {
-        std::size_t number = 0;
+        std::size_t line_level = 0;
         std::size_t points = 0;
-        lines >> number >> points;
-        EXPECT_EQ(number, level);
+        lines >> line_level >> points;
+        EXPECT_EQ(line_level, level);
         EXPECT_EQ(points, report.analysis.polygons[level].size() / 2);
         std::getline(lines, line);
     }
@@ -66,9 +65,9 @@ TEST(PyramidReport, WarnsOfLooseEndsWithTheirGain) {
     EXPECT_EQ(loose_ends_warning(report_of(Shape::Closed, 2, 5)), "");
     EXPECT_EQ(loose_ends_warning(report_of(Shape::Clamped, 2, 5)), "");
     Random random(4);
-    const Curve coarse = random_curve(random, fibonacci(), 5, Shape::Open, 6, 1);
+    const Curve coarse = random_curve(random, tests::fibonacci(), 5, Shape::Open, 6, 1);
     std::vector<double> fine(refined_size(coarse, 5, 100'000).points);
-    for (double& number : fine) number = random.coordinate();
+    for (double& coordinate : fine) coordinate = random.coordinate();
     Analysis analysis = analyse(coarse.knots(), 5, 1, fine);
     Pyramid kept = analysis.pyramid;
     EXPECT_THAT(loose_ends_warning(pyramid_report(std::move(analysis), std::move(kept), {}, "")), HasSubstr("G = "));
@@ -76,7 +75,7 @@ TEST(PyramidReport, WarnsOfLooseEndsWithTheirGain) {
 
 TEST(PyramidReport, DoesNotWarnOfLooseEndsOfAPolygonThatWasRefined) {
     Random random(4);
-    const Curve coarse = random_curve(random, fibonacci(), 3, Shape::Open, 6, 1);
+    const Curve coarse = random_curve(random, tests::fibonacci(), 3, Shape::Open, 6, 1);
     ASSERT_TRUE(has_loose_ends(coarse.knots()));
     Analysis analysis = analyse(coarse.knots(), 2, 1, refine(coarse, 2).points());
     Pyramid kept = analysis.pyramid;
@@ -96,7 +95,7 @@ TEST(PyramidReport, DrawsAPanelPerLevelAndNamesAsText) {
 }
 
 TEST(PyramidReport, DrawsAPolygonWithoutSize) {
-    const Knots knots = *make_knots(fibonacci(), {2, Ends::Circular, Word(3)}).knots;
+    const Knots knots = *make_knots(tests::fibonacci(), {2, Ends::Circular, Word(3)}).knots;
     Analysis analysis = analyse(knots, 2, 2, std::vector<double>(18, 4.0));
     Pyramid kept = analysis.pyramid;
     const std::string svg = pyramid_picture(pyramid_report(std::move(analysis), std::move(kept), {}, ""), {"0", "x"});

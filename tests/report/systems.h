@@ -5,6 +5,7 @@
 #pragma once
 
 #include "internode/curve/curve.h"
+#include "internode/report/generator.h"
 #include "tests/fixtures/interval_systems.h"
 
 #include <gtest/gtest.h>
@@ -47,6 +48,8 @@ inline Curve curve_of(const IntervalSystem& system, int degree, Ends ends, std::
     for (const std::string& problem : checked.problems) ADD_FAILURE() << problem;
     return checked.curve.value();
 }
+
+inline const Generator drawer{"0.1.0", "internode subdivide"};
 
 /// Nothing of the hostile name is markup, and no byte of it commands a terminal or a reader's eye.
 inline void expect_inert(const std::string& text) {

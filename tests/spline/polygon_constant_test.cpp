@@ -67,11 +67,13 @@ TEST(PolygonConstant, IsTheDistanceOfAParabola) {
 }
 
 TEST(PolygonConstant, IsTheLargestOverThePersistentWords) {
-    const IntervalSystem silver = system_of("A->AAB, B->A");
-    const PolygonConstant largest = largest_polygon_constant(silver, 5);
-    EXPECT_EQ(polygon_constant(silver, largest.word), largest.value);
-    for (const Word& inner : persistent_words(silver.rules(), 4, 1000))
-        EXPECT_LE(polygon_constant(silver, inner), largest.value);
+    for (const char* const text : {"A->AAB, B->A", "A->B, B->BBA", "A->B, B->C, C->AB"}) {
+        const IntervalSystem system = system_of(text);
+        const PolygonConstant largest = largest_polygon_constant(system, 5);
+        EXPECT_EQ(polygon_constant(system, largest.word), largest.value);
+        for (const Word& inner : persistent_words(system.rules(), 4, 1000))
+            EXPECT_LE(polygon_constant(system, inner), largest.value) << text;
+    }
 }
 
 TEST(PolygonConstant, DoesNotDependOnTheAxiom) {

@@ -200,7 +200,8 @@ TEST(Window, RefusesWhatIsNotAWindow) {
     const IntervalSystem fibonacci = system_of("L->SL, S->L");
     EXPECT_THROW((void)window_stencils(fibonacci, Word{}), std::invalid_argument);
     EXPECT_THROW((void)window_stencils(fibonacci, word_of(fibonacci, "LS")), std::invalid_argument);
-    EXPECT_THROW((void)window_stencils(fibonacci, word_of(fibonacci, "L0L")), std::invalid_argument);
+    EXPECT_THAT([&] { (void)window_stencils(fibonacci, word_of(fibonacci, "L0L")); },
+                testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("middle interval of a window")));
     EXPECT_THROW((void)bezier_rows(fibonacci, word_of(fibonacci, "0")), std::invalid_argument);
     const WindowPiece piece(fibonacci, word_of(fibonacci, "LLS"));
     EXPECT_THROW((void)piece.child(2), std::out_of_range);

@@ -8,6 +8,7 @@
 #include "tests/fixtures/stride.h"
 #include "tests/reference/nearest.h"
 #include "tests/reference/step_matrix.h"
+#include "tests/stencil/sample_words.h"
 
 #include <gmock/gmock.h>
 
@@ -26,22 +27,12 @@ using testing::ElementsAre;
 using tests::system_of;
 using tests::word_of;
 
-constexpr std::size_t many_states = 1'000'000;
-
 /// A word of `count` letters that has every symbol: cut from an image of the alphabet, or repeated.
-Word some_word(const IntervalSystem& system, std::size_t count) {
+Word rewritten_word(const IntervalSystem& system, std::size_t count) {
     Word word;
     for (std::size_t i = 0; i < system.rules().size(); ++i) word.push_back(to_symbol(i));
     while (word.size() < count) word = system.rules()(word);
     word.resize(count);
-    return word;
-}
-
-/// An open word with the ends clamped.
-Word clamped_word(const Word& domain, int degree) {
-    Word word(static_cast<std::size_t>(degree), zero_interval);
-    word.insert(word.end(), domain.begin(), domain.end());
-    word.insert(word.end(), static_cast<std::size_t>(degree), zero_interval);
     return word;
 }
 
@@ -112,7 +103,7 @@ TEST(Automaton, OfFibonacciIsSmall) {
         Word word = word_of(fibonacci, "L");
         while (word.size() < 400) word = fibonacci.rules()(word);
         const std::vector<CellState> cells = cell_states(word, degree, Ends::Circular);
-        const StencilAutomaton automaton = make_automaton(fibonacci, degree, cells, many_states);
+        const StencilAutomaton automaton = make_automaton(fibonacci, degree, cells, tests::many_states);
         EXPECT_EQ(automaton.state_count(), 2 * static_cast<std::size_t>(degree));
         EXPECT_EQ(automaton.degree(), degree);
         EXPECT_EQ(automaton.width(), static_cast<std::size_t>(degree) + 1);
@@ -122,13 +113,13 @@ TEST(Automaton, OfFibonacciIsSmall) {
 TEST(Automaton, HoldsTransientWindowsOfItsWord) {
     const IntervalSystem fibonacci = system_of("L->SL, S->L");
     const std::vector<CellState> cells = cell_states(word_of(fibonacci, "SSSSS"), 3, Ends::Circular);
-    EXPECT_EQ(make_automaton(fibonacci, 3, cells, many_states).state_count(), 9U);
+    EXPECT_EQ(make_automaton(fibonacci, 3, cells, tests::many_states).state_count(), 9U);
 }
 
 TEST(Automaton, SharesEqualRows) {
     const IntervalSystem sederberg = system_of("A->AA, B->BB");
     const std::vector<CellState> cells = cell_states(word_of(sederberg, "ABBA"), 3, Ends::Circular);
-    const StencilAutomaton automaton = make_automaton(sederberg, 3, cells, many_states);
+    const StencilAutomaton automaton = make_automaton(sederberg, 3, cells, tests::many_states);
     EXPECT_GT(automaton.state_count(), 2U);
     EXPECT_EQ(automaton.row_count(), 2U) << "all lengths are 1: the rows of uniform subdivision";
 }
@@ -139,8 +130,8 @@ TEST(Automaton, GivesEveryStateItsWindowsRows) {
         const IntervalSystem system = system_of(text);
         for (int degree = 1; degree <= 4; ++degree) {
             const auto d = static_cast<std::size_t>(degree);
-            const std::vector<CellState> cells = cell_states(some_word(system, 2 * d + 4), degree, Ends::Open);
-            const StencilAutomaton automaton = make_automaton(system, degree, cells, many_states);
+            const std::vector<CellState> cells = cell_states(rewritten_word(system, 2 * d + 4), degree, Ends::Open);
+            const StencilAutomaton automaton = make_automaton(system, degree, cells, tests::many_states);
             for (std::uint32_t s = 0; s < automaton.state_count(); ++s) {
                 const CellState state = automaton.state(s);
                 EXPECT_EQ(automaton.find(state), s);
@@ -162,8 +153,8 @@ TEST(Automaton, GivesEveryStateItsWindowsRows) {
 TEST(Automaton, RoundsEveryWeightOnce) {
     for (const auto& [name, text] : tests::sample_systems()) {
         const IntervalSystem system = system_of(text);
-        const std::vector<CellState> cells = cell_states(some_word(system, 12), 4, Ends::Open);
-        const StencilAutomaton automaton = make_automaton(system, 4, cells, many_states);
+        const std::vector<CellState> cells = cell_states(rewritten_word(system, 12), 4, Ends::Open);
+        const StencilAutomaton automaton = make_automaton(system, 4, cells, tests::many_states);
         for (std::uint32_t row = 0; row < automaton.row_count(); ++row)
             for (std::size_t i = 0; i < automaton.width(); ++i)
                 EXPECT_TRUE(reference::is_nearest(automaton.weights(row)[i], automaton.exact_weights(row)[i])) << name;
@@ -174,7 +165,7 @@ TEST(Automaton, RefusesMoreStatesThanAllowed) {
     const IntervalSystem fibonacci = system_of("L->SL, S->L");
     const std::vector<CellState> cells = cell_states(word_of(fibonacci, "LSLLSL"), 3, Ends::Circular);
     EXPECT_THROW((void)make_automaton(fibonacci, 3, cells, 5), TooManyStates);
-    const StencilAutomaton automaton = make_automaton(fibonacci, 3, cells, many_states);
+    const StencilAutomaton automaton = make_automaton(fibonacci, 3, cells, tests::many_states);
     EXPECT_NO_THROW((void)make_automaton(fibonacci, 3, cells, automaton.state_count()));
     EXPECT_THROW((void)make_automaton(fibonacci, 3, cells, automaton.state_count() - 1), TooManyStates);
 }
@@ -182,7 +173,7 @@ TEST(Automaton, RefusesMoreStatesThanAllowed) {
 TEST(Automaton, RefusesStatesThatAreNone) {
     const IntervalSystem fibonacci = system_of("L->SL, S->L");
     const auto make = [&](int degree, const char* window, std::uint32_t lead) {
-        return make_automaton(fibonacci, degree, {{word_of(fibonacci, window), lead}}, many_states);
+        return make_automaton(fibonacci, degree, {{word_of(fibonacci, window), lead}}, tests::many_states);
     };
     EXPECT_THROW((void)make(0, "L", 0), std::invalid_argument);
     EXPECT_THROW((void)make(13, "L", 0), std::invalid_argument);
@@ -200,7 +191,7 @@ TEST(Step, OfAClosedWordIsTheSameGatheredScatteredAndInserted) {
         const IntervalSystem system = system_of(text);
         for (int degree = 1; degree <= 4; ++degree)
             for (const std::size_t letters : {1U, 2U, 3U, 7U})
-                expect_same_step_by_three_routes(system, some_word(system, letters), degree, Ends::Circular);
+                expect_same_step_by_three_routes(system, rewritten_word(system, letters), degree, Ends::Circular);
     }
 }
 
@@ -211,7 +202,8 @@ TEST(Step, OfAnOpenWordIsTheSameGatheredScatteredAndInserted) {
         for (int degree = 1; degree <= 4; ++degree)
             for (const std::size_t more : {0U, 1U, 4U})
                 expect_same_step_by_three_routes(
-                    system, some_word(system, 2 * static_cast<std::size_t>(degree) + 1 + more), degree, Ends::Open);
+                    system, rewritten_word(system, 2 * static_cast<std::size_t>(degree) + 1 + more), degree,
+                    Ends::Open);
     }
 }
 
@@ -223,8 +215,8 @@ TEST(Step, WithEmptyIntervalsIsTheSameGatheredScatteredAndInserted) {
             broken.insert(broken.end(), zeros, zero_interval);
             broken.push_back(to_symbol(1));
             expect_same_step_by_three_routes(fibonacci, broken, degree, Ends::Circular);
-            expect_same_step_by_three_routes(fibonacci, clamped_word(broken, degree), degree, Ends::Open);
-            const Word ends = some_word(fibonacci, static_cast<std::size_t>(degree));
+            expect_same_step_by_three_routes(fibonacci, tests::clamped_word(broken, degree), degree, Ends::Open);
+            const Word ends = rewritten_word(fibonacci, static_cast<std::size_t>(degree));
             Word open = ends;
             open.insert(open.end(), broken.begin(), broken.end());
             open.insert(open.end(), ends.begin(), ends.end());
@@ -250,7 +242,7 @@ TEST(Step, OfClosedWordsWithAnyZerosIsTheSameByThreeRoutes) {
 TEST(Step, OfAClampedWordKeepsItsEnds) {
     const IntervalSystem fibonacci = system_of("L->SL, S->L");
     for (int degree = 1; degree <= 6; ++degree) {
-        const Word word = clamped_word(word_of(fibonacci, "LSLLSL"), degree);
+        const Word word = tests::clamped_word(word_of(fibonacci, "LSLLSL"), degree);
         const Matrix matrix = gather_matrix(fibonacci, word, degree, Ends::Open);
         EXPECT_EQ(matrix.front().front(), Number(1));
         EXPECT_EQ(matrix.back().back(), Number(1));
@@ -287,7 +279,7 @@ TEST(Step, TwiceIsOneStepOfTheSquaredSystem) {
         if (!lengths_agree()) continue; // two final classes where there was one period
         for (int degree = 1; degree <= 3; ++degree) {
             for (const Ends ends : {Ends::Circular, Ends::Open}) {
-                const Word word = some_word(once, 2 * static_cast<std::size_t>(degree) + 2);
+                const Word word = rewritten_word(once, 2 * static_cast<std::size_t>(degree) + 2);
                 const reference::Step step = reference::step_of(once, word, degree, ends);
                 const Matrix twice =
                     product(gather_matrix(once, step.word, degree, ends), gather_matrix(once, word, degree, ends));
@@ -316,7 +308,7 @@ TEST(Automaton, OfManySymbolsHasAFewStatesEach) {
     ASSERT_TRUE(verdict.system);
     const std::vector<CellState> cells = cell_states(word, 3, Ends::Circular);
     // abcde; aabbc, abbcc; aabbb, abbbb, bbbbc, bbbcc; bbbbb.
-    EXPECT_EQ(make_automaton(*verdict.system, 3, cells, many_states).state_count(), 8 * symbols);
+    EXPECT_EQ(make_automaton(*verdict.system, 3, cells, tests::many_states).state_count(), 8 * symbols);
 }
 
 } // namespace

@@ -19,17 +19,17 @@ CellRow row(std::ptrdiff_t first, std::vector<Number> weights) {
     return {first, std::move(weights)};
 }
 
-const Number half = Rational(1, 2);
+const Number one_half = Rational(1, 2);
 
 TEST(Trimmed, LeavesNoZeroAtAnEnd) {
-    EXPECT_EQ(trimmed(row(3, {0, 0, half, 0, half, 0})), row(5, {half, 0, half}));
+    EXPECT_EQ(trimmed(row(3, {0, 0, one_half, 0, one_half, 0})), row(5, {one_half, 0, one_half}));
     EXPECT_EQ(trimmed(row(3, {0, 0})), row(0, {}));
     EXPECT_EQ(trimmed(row(-2, {1})), row(-2, {1}));
 }
 
 TEST(CellAutomaton, IsMadeOfRulesAndGivesThemBack) {
     // State 0 has no children, state 1 has rows that lie apart.
-    const CellRules rules{{}, {{0, row(2, {1})}, {1, row(-1, {half, half})}, {1, row(0, {})}}};
+    const CellRules rules{{}, {{0, row(2, {1})}, {1, row(-1, {one_half, one_half})}, {1, row(0, {})}}};
     const CellAutomaton automaton = make_cell_automaton(rules);
     EXPECT_EQ(automaton.width(), 4U);
     EXPECT_EQ(automaton.offset(1), -1);
@@ -47,7 +47,7 @@ TEST(CellAutomaton, OfIntervalsGivesItsRulesBack) {
 }
 
 TEST(EquivalentStates, AreToldApartByColorsRowsAndChildren) {
-    const CellRow a = row(0, {half, half});
+    const CellRow a = row(0, {one_half, one_half});
     const CellRow b = row(0, {1});
     // 0 and 1 do the same; 2 has another row; 3 leads to 2.
     const CellRules rules{{{0, a}, {1, a}}, {{1, a}, {0, a}}, {{2, a}, {2, b}}, {{2, a}, {2, a}}};
@@ -58,10 +58,10 @@ TEST(EquivalentStates, AreToldApartByColorsRowsAndChildren) {
 }
 
 TEST(NormalForm, ForgetsNamesDoublesAndTheOrigin) {
-    const CellRow a = row(4, {half, half});
+    const CellRow a = row(4, {one_half, one_half});
     const CellRow b = row(5, {1});
     const CellRules one{{{1, a}}, {{0, b}, {2, b}}, {{1, a}}};
-    const CellRules other{{{1, row(-1, {1})}, {1, row(-1, {1})}}, {{0, row(-2, {half, half})}}};
+    const CellRules other{{{1, row(-1, {1})}, {1, row(-1, {1})}}, {{0, row(-2, {one_half, one_half})}}};
     const std::uint32_t first[] = {0};
     const std::uint32_t second[] = {1};
     EXPECT_EQ(normal_form(one, first), normal_form(other, second));

@@ -8,13 +8,12 @@
 #include "tests/fixtures/small_grammars.h"
 #include "tests/fixtures/stride.h"
 #include "tests/reference/step_matrix.h"
+#include "tests/stencil/sample_words.h"
 
 #include <gmock/gmock.h>
 
 namespace internode {
 namespace {
-
-constexpr std::size_t many_states = 1'000'000;
 
 /// A polygon with points in Q, and the states of its cells.
 struct Exact {
@@ -51,24 +50,17 @@ Exact step(const StencilAutomaton& automaton, const Exact& old) {
 
 void expect_power_is_repetition(const IntervalSystem& system, const Word& word, int degree, Ends ends, int most = 3) {
     const std::vector<CellState> cells = cell_states(word, degree, ends);
-    const StencilAutomaton once = make_automaton(system, degree, cells, many_states);
+    const StencilAutomaton once = make_automaton(system, degree, cells, tests::many_states);
     Exact repeated = step(once, polygon(once, cells));
     for (int k = 2; k <= most; ++k) {
         repeated = step(once, repeated);
-        const StencilAutomaton several = make_automaton(power(system, k), degree, cells, many_states);
+        const StencilAutomaton several = make_automaton(power(system, k), degree, cells, tests::many_states);
         EXPECT_LE(several.state_count(), once.state_count());
         const Exact direct = step(several, polygon(several, cells));
         ASSERT_EQ(direct.points, repeated.points) << "degree " << degree << ", " << k << " steps";
         for (std::size_t i = 0; i < direct.states.size(); ++i)
             ASSERT_EQ(several.state(direct.states[i]), once.state(repeated.states[i]));
     }
-}
-
-Word clamped_word(const Word& domain, std::size_t degree) {
-    Word word(degree, zero_interval);
-    word.insert(word.end(), domain.begin(), domain.end());
-    word.insert(word.end(), degree, zero_interval);
-    return word;
 }
 
 /// All symbols once or more, at least `letters` of them.
@@ -90,7 +82,8 @@ void expect_power_is_repetition(const IntervalSystem& system, int degree, Shape 
     case Shape::Open:
         return expect_power_is_repetition(system, some_word(system, 2 * d + 2), degree, Ends::Open, most);
     case Shape::Clamped:
-        return expect_power_is_repetition(system, clamped_word(some_word(system, 2), d), degree, Ends::Open, most);
+        return expect_power_is_repetition(system, tests::clamped_word(some_word(system, 2), d), degree, Ends::Open,
+                                          most);
     }
 }
 
@@ -152,9 +145,9 @@ TEST(Power, HasTheProductOfTheStepMatrices) {
 
 TEST(Automaton, AnswersQuestionsAboutItsRows) {
     const IntervalSystem fibonacci = tests::system_of("L->SL, S->L");
-    const Word word = clamped_word(tests::word_of(fibonacci, "LSLLSLSL"), 3);
+    const Word word = tests::clamped_word(tests::word_of(fibonacci, "LSLLSLSL"), 3);
     const std::vector<CellState> cells = cell_states(word, 3, Ends::Open);
-    const StencilAutomaton automaton = make_automaton(fibonacci, 3, cells, many_states);
+    const StencilAutomaton automaton = make_automaton(fibonacci, 3, cells, tests::many_states);
     std::vector<Word> windows;
     for (std::uint32_t state = 0; state < automaton.state_count(); ++state) {
         const Word& window = automaton.state(state).window;

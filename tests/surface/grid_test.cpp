@@ -3,6 +3,7 @@
 #include "internode/surface/grid.h"
 
 #include "tests/fixtures/random_grid.h"
+#include "tests/fixtures/words.h"
 
 #include <gmock/gmock.h>
 #include <limits>
@@ -10,13 +11,11 @@
 namespace internode {
 namespace {
 
+using namespace tests::letters;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 using tests::fibonacci;
-
-constexpr Symbol a{0};
-constexpr Symbol b{1};
 
 Knots closed(Word word) {
     return make_knots(fibonacci(), {2, Ends::Circular, std::move(word)}).knots.value();

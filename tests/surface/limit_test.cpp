@@ -5,6 +5,7 @@
 #include "internode/surface/refinement.h"
 #include "tests/fixtures/stride.h"
 #include "tests/fixtures/surfaces.h"
+#include "tests/fixtures/words.h"
 #include "tests/reference/surface_piece.h"
 
 #include <gmock/gmock.h>
@@ -16,6 +17,7 @@
 namespace internode {
 namespace {
 
+using namespace tests::letters;
 using reference::DeBoorCurve;
 using reference::Real;
 using ::testing::ElementsAre;
@@ -27,9 +29,6 @@ using tests::random_knots;
 using tests::Shape;
 
 const std::size_t stride = tests::stride();
-
-constexpr Symbol a{0};
-constexpr Symbol o = zero_interval;
 
 DeBoorCurve knot_line(const Knots& knots) {
     return reference::de_boor_curve(make_curve(knots, 1, std::vector<double>(knots.size())).curve.value());

@@ -179,6 +179,36 @@ TEST(NormalRows, SeeDifferencesOfAFewUnitsInTheLastPlace) {
         EXPECT_NEAR(normals[i + 2], 1 / std::sqrt(0.5 * 0.5 + 2 * 2 + 1), 4 * epsilon);
 }
 
+/// Differences a, -a/2, a, -a/2, … of a uniform quartic: (a - 4 a/2 + a) / 6 = 0 at every other knot, but for rounding.
+Grid with_stops_along(std::size_t side, const std::array<double, 3>& a) {
+    const IntervalSystem system = tests::system_of("A->AA");
+    const Knots stopping = make_knots(system, {4, Ends::Open, Word(12, to_symbol(0))}).knots.value();
+    const Knots steady = make_knots(system, {1, Ends::Open, Word(3, to_symbol(0))}).knots.value();
+    std::vector<double> points;
+    for (std::size_t i = 0; i < (side == 0 ? 8U : 2U); ++i)
+        for (std::size_t j = 0; j < (side == 0 ? 2U : 8U); ++j) {
+            const std::size_t along = side == 0 ? i : j;
+            const double times = static_cast<double>(along / 2) / 2 + static_cast<double>(along % 2);
+            for (const double c : a) points.push_back(times * c);
+            points.back() += 64 * static_cast<double>(i + j - along); // a straight line across
+        }
+    return side == 0 ? tests::grid_of({stopping, steady, 3, false, points})
+                     : tests::grid_of({steady, stopping, 3, false, points});
+}
+
+TEST(NormalRows, AreNoneWhereATangentVanishesButForRounding) {
+    for (const std::size_t side : {0U, 1U})
+        for (const std::array<double, 3>& a : {std::array{2.0, 6.0, 0.0}, {14.0, -22.0, 2.0}, {34.0, 26.0, 10.0}}) {
+            const SurfaceLimit limit = surface_limit(with_stops_along(side, a), Normals::Unit);
+            ASSERT_EQ(limit.sheet.rows * limit.sheet.columns, 10U);
+            for (std::size_t i = 0; i < 10; ++i) {
+                const std::size_t along = side == 0 ? i / 2 : i % 5;
+                const double* const n = limit.sheet.normals.data() + 3 * i;
+                EXPECT_NEAR(std::hypot(n[0], n[1], n[2]), along % 2 == 0 ? 0 : 1, 4 * epsilon) << i;
+            }
+        }
+}
+
 TEST(NormalRows, OfTheGivenGridAreKeptAtItsKnots) {
     Random random(32);
     const Knots u = random_knots(random, fibonacci(), 3, Shape::Clamped, 2);

@@ -6,6 +6,7 @@
 #include "tests/fixtures/random_grid.h"
 #include "tests/fixtures/small_grammars.h"
 #include "tests/fixtures/stride.h"
+#include "tests/fixtures/words.h"
 #include "tests/reference/separable_refinement.h"
 
 #include <gmock/gmock.h>
@@ -19,6 +20,7 @@
 namespace internode {
 namespace {
 
+using namespace tests::letters;
 using reference::separably_refined;
 using tests::all_shapes;
 using tests::fibonacci;
@@ -29,9 +31,6 @@ using tests::Shape;
 
 const std::size_t pair_stride = tests::stride(17);
 const std::size_t mix_stride = tests::stride();
-
-constexpr Symbol a{0};
-constexpr Symbol b{1};
 
 /// Every entry within 1e-13 of the expected one: fused steps round differently in the last bits.
 void expect_near(const std::vector<double>& actual, const std::vector<double>& expected) {

@@ -3,19 +3,17 @@
 #include "internode/surface/sheet.h"
 
 #include "tests/fixtures/random_grid.h"
+#include "tests/fixtures/words.h"
 
 #include <gmock/gmock.h>
 
 namespace internode {
 namespace {
 
+using namespace tests::letters;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using tests::fibonacci;
-
-constexpr Symbol a{0};
-constexpr Symbol b{1};
-constexpr Symbol o = zero_interval;
 
 /// A grid with these knots along u and a single closed row along v.
 Sheet sheet_of(int degree, Ends ends, Word word) {

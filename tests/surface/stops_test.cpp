@@ -3,6 +3,7 @@
 #include "internode/surface/stops.h"
 
 #include "tests/fixtures/random_curve.h"
+#include "tests/fixtures/words.h"
 
 #include <gmock/gmock.h>
 
@@ -12,13 +13,10 @@
 namespace internode {
 namespace {
 
+using namespace tests::letters;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using tests::fibonacci;
-
-constexpr Symbol a{0};
-constexpr Symbol b{1};
-constexpr Symbol o = zero_interval;
 
 Stops stops_of(int degree, Ends ends, Word word) {
     return make_stops(make_knots(fibonacci(), {degree, ends, std::move(word)}).knots.value());

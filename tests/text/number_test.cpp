@@ -95,6 +95,9 @@ TEST(Number, RoundsWhatIsTooSmallToAZeroOfItsSign) {
     EXPECT_EQ(bits(parse_double("-1e-400").value()), bits(-0.0));
     EXPECT_EQ(bits(parse_double("-0").value()), bits(-0.0));
     EXPECT_EQ(parse_double("0e99999999999999999999"), 0.0);
+    const std::string zeros(400, '0');
+    EXPECT_EQ(parse_double("0." + zeros + "1e5"), 0.0) << "an exponent up does not reach a double";
+    EXPECT_FALSE(parse_double("1" + zeros + "e-5")) << "nor one down";
     const std::string tiny = "0." + std::string(5000, '0') + "1";
     EXPECT_EQ(parse_double(tiny), 0.0);
     EXPECT_EQ(parse_double(tiny + "e5001"), 1.0);

@@ -26,6 +26,12 @@ TEST(TextPlace, CountsLinesAndCodePointsFromOne) {
     }
 }
 
+TEST(TextPlace, APieceHasAColumnPerCodePointAndOneAtLeast) {
+    EXPECT_EQ(columns_of(""), 1U);
+    EXPECT_EQ(columns_of("a"), 1U);
+    EXPECT_EQ(columns_of("\xCF\x86x-9"), 4U);
+}
+
 TEST(TextPlace, ShowsTheLineOfTheOffence) {
     const std::string text = "ab\ncde\r\nf";
     for (const std::size_t offset : {3U, 4U, 6U}) {

@@ -26,10 +26,6 @@ constexpr std::size_t plenty = 1'000'000;
 const std::size_t stride = tests::stride();
 
 /// Fibonacci: a = L -> SL, b = S -> L.
-Morphism fibonacci() {
-    return morphism({"ba", "a"});
-}
-
 } // namespace
 
 TEST(Windows, OfAnOpenWordStopAtItsEnd) {
@@ -68,7 +64,7 @@ TEST(AllWords, RefuseMoreThanTheLimitWithoutOverflow) {
 
 TEST(FactorGraph, OfFibonacciIsTheFigureOfThePaper) {
     // d = 2 (Fig. 3): of the eight words of three letters, S = b repeated is left behind at once.
-    const FactorGraph graph = factor_graph(fibonacci(), all_words(2, 3, 8), 8);
+    const FactorGraph graph = factor_graph(tests::fibonacci_rules(), all_words(2, 3, 8), 8);
     std::vector<Word> persistent;
     for (std::size_t i = 0; i < graph.words.size(); ++i)
         if (graph.persistent[i]) persistent.push_back(graph.words[i]);
@@ -105,27 +101,28 @@ TEST(FactorGraph, PersistentMeansOnACycleOrReachableFromOne) {
 
 TEST(FactorGraph, OrdersWordsBreadthFirstFromTheStart) {
     // a -> ba, b -> a: "bb" -> "aa" -> "ba", "ab" (from "baba"); nothing else follows.
-    const FactorGraph graph = factor_graph(fibonacci(), {word("bb")}, plenty);
+    const FactorGraph graph = factor_graph(tests::fibonacci_rules(), {word("bb")}, plenty);
     EXPECT_THAT(graph.words, ElementsAreArray(words({"bb", "aa", "ba", "ab"})));
     EXPECT_THAT(graph.persistent, testing::ElementsAre(false, true, true, true));
 }
 
 TEST(FactorGraph, OfNothingIsEmpty) {
-    EXPECT_THAT(factor_graph(fibonacci(), {}, plenty).words, IsEmpty());
+    EXPECT_THAT(factor_graph(tests::fibonacci_rules(), {}, plenty).words, IsEmpty());
 }
 
 TEST(FactorGraph, RefusesMoreWordsThanTheLimit) {
-    EXPECT_THROW((void)factor_graph(fibonacci(), {word("bb")}, 3), TooManyWords);
-    EXPECT_NO_THROW((void)factor_graph(fibonacci(), {word("bb")}, 4));
+    EXPECT_THROW((void)factor_graph(tests::fibonacci_rules(), {word("bb")}, 3), TooManyWords);
+    EXPECT_NO_THROW((void)factor_graph(tests::fibonacci_rules(), {word("bb")}, 4));
 }
 
 TEST(FactorGraph, RefusesStartWordsOfSeveralLengths) {
-    EXPECT_THROW((void)factor_graph(fibonacci(), {word("a"), word("ab")}, plenty), std::invalid_argument);
-    EXPECT_THROW((void)factor_graph(fibonacci(), {Word{}}, plenty), std::invalid_argument);
+    EXPECT_THROW((void)factor_graph(tests::fibonacci_rules(), {word("a"), word("ab")}, plenty), std::invalid_argument);
+    EXPECT_THROW((void)factor_graph(tests::fibonacci_rules(), {Word{}}, plenty), std::invalid_argument);
 }
 
 TEST(PersistentWords, OfFibonacciAreOneMoreThanTheirLength) {
-    for (std::size_t m = 1; m <= 20; ++m) EXPECT_EQ(persistent_words(fibonacci(), m, plenty).size(), m + 1);
+    for (std::size_t m = 1; m <= 20; ++m)
+        EXPECT_EQ(persistent_words(tests::fibonacci_rules(), m, plenty).size(), m + 1);
 }
 
 TEST(PersistentWords, KeepWhatAnAxiomBringsThoughNoLetterProducesIt) {

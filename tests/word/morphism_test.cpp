@@ -15,10 +15,6 @@ using tests::word;
 namespace {
 
 /// Fibonacci: a = L -> SL, b = S -> L.
-Morphism fibonacci() {
-    return morphism({"ba", "a"});
-}
-
 Word concatenated(Word a, const Word& b) {
     a.insert(a.end(), b.begin(), b.end());
     return a;
@@ -27,9 +23,9 @@ Word concatenated(Word a, const Word& b) {
 } // namespace
 
 TEST(Morphism, RewritesAllLettersAtOnceAndKeepsZeros) {
-    EXPECT_EQ(fibonacci()(word("baaba")), word("ababaaba"));
-    EXPECT_EQ(fibonacci()(word("00ab0")), word("00baa0"));
-    EXPECT_EQ(fibonacci()(Word{}), Word{});
+    EXPECT_EQ(tests::fibonacci_rules()(word("baaba")), word("ababaaba"));
+    EXPECT_EQ(tests::fibonacci_rules()(word("00ab0")), word("00baa0"));
+    EXPECT_EQ(tests::fibonacci_rules()(Word{}), Word{});
 }
 
 TEST(Morphism, TurnsConcatenationIntoConcatenation) {
@@ -50,7 +46,7 @@ TEST(Morphism, RefusesASymbolWithoutARule) {
 }
 
 TEST(Morphism, RefusesTheImageOfAForeignLetter) {
-    EXPECT_THROW((void)fibonacci()(word("c")), std::out_of_range);
+    EXPECT_THROW((void)tests::fibonacci_rules()(word("c")), std::out_of_range);
 }
 
 TEST(MorphismPower, IsTheMorphismAppliedSoManyTimes) {
@@ -64,8 +60,8 @@ TEST(MorphismPower, IsTheMorphismAppliedSoManyTimes) {
 }
 
 TEST(MorphismPower, RefusesPowersBelowOne) {
-    EXPECT_THROW((void)power(fibonacci(), 0), std::invalid_argument);
-    EXPECT_THROW((void)power(fibonacci(), -1), std::invalid_argument);
+    EXPECT_THROW((void)power(tests::fibonacci_rules(), 0), std::invalid_argument);
+    EXPECT_THROW((void)power(tests::fibonacci_rules(), -1), std::invalid_argument);
 }
 
 TEST(LetterCounts, AreThoseOfTheWordItself) {
@@ -85,9 +81,9 @@ TEST(LetterCounts, AreThoseOfTheWordItself) {
 
 TEST(LetterCounts, SaturateExactlyAboveTheCap) {
     // Fibonacci from S: 1, 1, 2, 3, 5, 8, 13, …
-    EXPECT_FALSE(letter_counts(fibonacci(), word("b"), 6, 13).saturated);
-    EXPECT_TRUE(letter_counts(fibonacci(), word("b"), 6, 12).saturated);
-    EXPECT_TRUE(letter_counts(fibonacci(), word("bbb"), 0, 2).saturated);
+    EXPECT_FALSE(letter_counts(tests::fibonacci_rules(), word("b"), 6, 13).saturated);
+    EXPECT_TRUE(letter_counts(tests::fibonacci_rules(), word("b"), 6, 12).saturated);
+    EXPECT_TRUE(letter_counts(tests::fibonacci_rules(), word("bbb"), 0, 2).saturated);
 }
 
 TEST(LetterCounts, SaturateBeforeTheyOverflow) {
@@ -102,7 +98,7 @@ TEST(LetterCounts, SaturateBeforeTheyOverflow) {
 }
 
 TEST(LetterCounts, EndAtOnceForABillionSteps) {
-    EXPECT_TRUE(letter_counts(fibonacci(), word("a"), 1'000'000'000).saturated);
+    EXPECT_TRUE(letter_counts(tests::fibonacci_rules(), word("a"), 1'000'000'000).saturated);
     const LetterCounts fixed = letter_counts(morphism({"a"}), word("aa"), 1'000'000'000);
     EXPECT_EQ(fixed.total, 2U);
     EXPECT_FALSE(fixed.saturated);

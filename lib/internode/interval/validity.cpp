@@ -54,15 +54,13 @@ std::vector<SymbolClass> describe_classes(const Analysis& analysis) {
     return result;
 }
 
-/// The ratio of the largest class; without an order, bounds around all that may be the largest.
+/// The ratio of the largest class; without an order, at least that of one and at most that of all that may be it.
 Quantity system_ratio(const Analysis& analysis) {
     if (analysis.decided) return analysis.radii[analysis.largest.index].value;
     Enclosure bounds = analysis.radii[analysis.largest.index].value.bounds;
     for (std::size_t i = 0; i < analysis.radii.size(); ++i)
-        if (is_unordered(analysis.largest.order[i])) {
-            bounds.lower = std::max(bounds.lower, analysis.radii[i].value.bounds.lower);
+        if (is_unordered(analysis.largest.order[i]))
             bounds.upper = std::max(bounds.upper, analysis.radii[i].value.bounds.upper);
-        }
     return enclosed_quantity(bounds);
 }
 

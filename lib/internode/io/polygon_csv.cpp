@@ -205,7 +205,7 @@ private:
 
     void refuse_number(const Field& field) {
         const std::string_view text = field.text;
-        const std::size_t width = std::max<std::size_t>(place_of(text, text.size()).column - 1, 1);
+        const std::size_t width = columns_of(text);
         if (text.empty()) return refuse(field.offset, 1, "an empty field where a number is meant");
         if (is_named_number(text)) return refuse(field.offset, width, quoted(text) + " is not a finite number");
         refuse(field.offset, width, quoted(text) + " is not a number within the range of doubles");

@@ -31,9 +31,9 @@ PolygonConstant largest_polygon_constant(const IntervalSystem& system, int degre
     PolygonConstant result;
     for (const Word& word : word_graph(system, letters, WordChoice::Persistent, max_inner_words).words) {
         Number value = polygon_constant(system, word);
-        if (result.word.empty() || value > result.value) result = {std::move(value), word};
+        if (value > result.value) result = {std::move(value), word};
     }
-    assert(!result.word.empty());
+    assert(!result.word.empty() && "knots of positive lengths are apart, so no constant is 0");
     return result;
 }
 

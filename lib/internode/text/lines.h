@@ -49,8 +49,7 @@ public:
     void refuse(const LinePiece& piece, std::string message, std::string hint = {}) {
         Diagnostic diagnostic = diagnostic_at(line_, piece.offset, source_, std::move(message));
         diagnostic.line = number_;
-        const std::size_t width = place_of(piece.text, piece.text.size()).column - 1;
-        diagnostic.width = width == 0 ? 1 : width;
+        diagnostic.width = columns_of(piece.text);
         diagnostic.hint = std::move(hint);
         diagnostic.code = code_;
         errors_.push_back(std::move(diagnostic));

@@ -51,6 +51,10 @@ TextPlace place_of(std::string_view text, std::size_t offset) {
     return place_of(text, offset, 0, {});
 }
 
+std::size_t columns_of(std::string_view piece) {
+    return std::max<std::size_t>(place_of(piece, piece.size()).column - 1, 1);
+}
+
 Diagnostic diagnostic_at(std::string_view text, std::size_t offset, std::string_view source, std::string message) {
     offset = std::min(offset, text.size());
     const std::size_t newline = offset == 0 ? std::string_view::npos : text.rfind('\n', offset - 1);

@@ -22,6 +22,9 @@ struct TextPlace {
 [[nodiscard]] TextPlace place_of(std::string_view text, std::size_t offset);
 [[nodiscard]] TextPlace place_of(std::string_view text, std::size_t offset, std::size_t known_offset, TextPlace known);
 
+/// The columns that a piece of a line takes, at least 1: how wide the mark below it is.
+[[nodiscard]] std::size_t columns_of(std::string_view piece);
+
 /// A diagnostic at text[offset], with the source line unless it is longer than max_shown_line_bytes.
 [[nodiscard]] Diagnostic diagnostic_at(std::string_view text, std::size_t offset, std::string_view source,
                                        std::string message);

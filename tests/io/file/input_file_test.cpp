@@ -3,6 +3,7 @@
 #include "internode/io/file/input_file.h"
 
 #include "tests/fixtures/temporary_folder.h"
+#include "tests/io/file/questions.h"
 
 #include <atomic>
 #include <csignal>
@@ -24,6 +25,8 @@ namespace {
 
 using Kind = FileError::Kind;
 using testing::HasSubstr;
+using tests::questions;
+using tests::stop_at_third_question;
 
 void put(const std::string& path, std::string_view text) {
     const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
@@ -58,12 +61,6 @@ public:
 private:
     int saved_;
 };
-
-std::atomic<int> questions{0};
-
-bool stop_at_third_question() {
-    return ++questions >= 3;
-}
 
 TEST(InputFile, ReadsAFileWhole) {
     const tests::TemporaryFolder folder;

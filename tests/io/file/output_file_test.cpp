@@ -5,6 +5,7 @@
 #include "internode/io/file/input_file.h"
 #include "tests/fixtures/stride.h"
 #include "tests/fixtures/temporary_folder.h"
+#include "tests/io/file/questions.h"
 
 #include <atomic>
 #include <csignal>
@@ -24,6 +25,9 @@
 namespace internode {
 namespace {
 
+using tests::questions;
+using tests::stop_at_third_question;
+
 namespace fs = std::filesystem;
 using Kind = FileError::Kind;
 
@@ -34,7 +38,7 @@ std::string content(const std::string& path) {
     return input.error ? "(" + input.error->message + ")" : input.text;
 }
 
-void put(const std::string& path, std::string_view text) {
+void write_whole(const std::string& path, std::string_view text) {
     OutputFile file(path);
     file.write(text);
     ASSERT_FALSE(file.commit());
@@ -64,12 +68,6 @@ int in_child(const Work& work) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
 }
 
-std::atomic<int> questions{0};
-
-bool stop_at_third_question() {
-    return ++questions >= 3;
-}
-
 bool stop_now() {
     return true;
 }
@@ -93,7 +91,7 @@ TEST(OutputFile, AppearsWholeAndOnlyOnCommit) {
 
 TEST(OutputFile, LeavesTheOldFileWithoutCommit) {
     const tests::TemporaryFolder folder;
-    put(folder / "a", "old");
+    write_whole(folder / "a", "old");
     {
         OutputFile file(folder / "a");
         file.write(std::string(200'000, 'n'));
@@ -105,7 +103,7 @@ TEST(OutputFile, LeavesTheOldFileWithoutCommit) {
 
 TEST(OutputFile, MayBeEmptyAndMayBeMoved) {
     const tests::TemporaryFolder folder;
-    put(folder / "a", "");
+    write_whole(folder / "a", "");
     EXPECT_EQ(content(folder / "a"), "");
     OutputFile first(folder / "b");
     first.write("1");
@@ -124,16 +122,16 @@ TEST(OutputFile, NamesItsTemporaryFileAfterTheTarget) {
     EXPECT_EQ(name.rfind(".curve.csv.internode-", 0), 0U);
     EXPECT_EQ(name.substr(name.size() - 4), ".tmp");
     EXPECT_EQ(fs::path(file.temporary_path()).parent_path(), folder.path());
-    put(folder / std::string(255, 'n'), "longest");
+    write_whole(folder / std::string(255, 'n'), "longest");
     EXPECT_EQ(kind(OutputFile(folder / std::string(256, 'n')).error()), Kind::Unwritable);
 }
 
 TEST(OutputFile, KeepsTheModeOfTheTarget) {
     const tests::TemporaryFolder folder;
     for (const mode_t bits : {0600, 0640, 0755, 0666, 0602}) {
-        put(folder / "a", "old");
+        write_whole(folder / "a", "old");
         ASSERT_EQ(::chmod((folder / "a").c_str(), bits), 0);
-        put(folder / "a", "new");
+        write_whole(folder / "a", "new");
         EXPECT_EQ(mode(folder / "a") & 07777, bits);
         EXPECT_EQ(content(folder / "a"), "new");
     }
@@ -142,7 +140,7 @@ TEST(OutputFile, KeepsTheModeOfTheTarget) {
 TEST(OutputFile, GivesANewFileTheModeThatTheUmaskLeaves) {
     const tests::TemporaryFolder folder;
     const mode_t before = ::umask(027);
-    put(folder / "a", "x");
+    write_whole(folder / "a", "x");
     ::umask(before);
     EXPECT_EQ(mode(folder / "a") & 07777, 0640U);
 }
@@ -150,12 +148,12 @@ TEST(OutputFile, GivesANewFileTheModeThatTheUmaskLeaves) {
 TEST(OutputFile, FollowsSymbolicLinks) {
     const tests::TemporaryFolder folder;
     fs::create_directory(folder / "d");
-    put(folder / "d/target", "old");
+    write_whole(folder / "d/target", "old");
     fs::create_symlink("d/target", folder / "link");
     fs::create_symlink(folder / "link", folder / "link2");
     fs::create_symlink("d/new", folder / "dangling");
-    put(folder / "link2", "new");
-    put(folder / "dangling", "made");
+    write_whole(folder / "link2", "new");
+    write_whole(folder / "dangling", "made");
     EXPECT_TRUE(S_ISLNK(mode(folder / "link")));
     EXPECT_TRUE(S_ISLNK(mode(folder / "link2")));
     EXPECT_TRUE(S_ISLNK(mode(folder / "dangling")));
@@ -176,7 +174,7 @@ TEST(OutputFile, WritesIntoDevicesAndNeverReplacesThem) {
     }
     const tests::TemporaryFolder folder;
     fs::create_symlink("/dev/null", folder / "null");
-    put(folder / "null", "x");
+    write_whole(folder / "null", "x");
     EXPECT_TRUE(S_ISLNK(mode(folder / "null")));
     EXPECT_TRUE(S_ISCHR(mode("/dev/null")));
 }
@@ -190,7 +188,7 @@ TEST(OutputFile, WritesIntoAFifoAndNeverReplacesIt) {
         ::usleep(100'000);
         read = content(folder / "fifo");
     });
-    put(folder / "fifo", text);
+    write_whole(folder / "fifo", text);
     reader.join();
     EXPECT_EQ(read, text);
     EXPECT_TRUE(S_ISFIFO(mode(folder / "fifo")));
@@ -260,7 +258,7 @@ TEST(OutputFile, DoesNotBecomeStandardOutputItself) {
 
 TEST(OutputFile, KnowsAnUnwritableTargetBeforeAnythingIsComputed) {
     const tests::TemporaryFolder folder;
-    put(folder / "file", "x");
+    write_whole(folder / "file", "x");
     EXPECT_EQ(kind(OutputFile(folder / "none/a").error()), Kind::Missing);
     EXPECT_EQ(kind(OutputFile(folder / "file/a").error()), Kind::Unwritable);
     EXPECT_EQ(kind(OutputFile(folder / "none/").error()), Kind::Missing);
@@ -274,7 +272,7 @@ TEST(OutputFile, KnowsAnUnwritableTargetBeforeAnythingIsComputed) {
 TEST(OutputFile, RespectsPermissionsOfOthers) {
     const tests::TemporaryFolder folder;
     ASSERT_EQ(::chmod(folder.path().c_str(), 0777), 0);
-    put(folder / "file", "old");
+    write_whole(folder / "file", "old");
     ASSERT_EQ(::chmod((folder / "file").c_str(), 0444), 0);
     fs::create_directory(folder / "closed");
     ASSERT_EQ(::chmod((folder / "closed").c_str(), 0555), 0);
@@ -317,7 +315,7 @@ TEST(OutputFile, SpeaksOfABrokenPipeByItsName) {
 
 TEST(OutputFile, NoticesAFileSizeLimitAtEveryByte) {
     const tests::TemporaryFolder folder;
-    put(folder / "a", "old");
+    write_whole(folder / "a", "old");
     const std::string text = "x,y\n0,0\n0.25,1\n0.5,0.75\n";
     for (std::size_t limit = 0; limit <= text.size(); ++limit) {
         const int code = in_child([&] {
@@ -338,7 +336,7 @@ TEST(OutputFile, NoticesAFileSizeLimitAtEveryByte) {
 
 TEST(OutputFile, StopsWhenAskedAndLeavesTheOldFile) {
     const tests::TemporaryFolder folder;
-    put(folder / "a", "old");
+    write_whole(folder / "a", "old");
     OutputFile small(folder / "a", stop_now);
     EXPECT_TRUE(small.write("x")) << "still in the buffer";
     EXPECT_EQ(kind(small.commit()), Kind::Interrupted);
@@ -353,7 +351,7 @@ TEST(OutputFile, IsOldOrNewAfterAKillAtAnyMoment) {
     const tests::TemporaryFolder folder;
     const std::string old_text(100'000, 'o');
     const std::string new_text(150'000, 'n');
-    put(folder / "a", old_text);
+    write_whole(folder / "a", old_text);
     std::mt19937 random(7);
     std::uniform_int_distribution<useconds_t> delay(0, 3000);
     int old_count = 0;
@@ -387,10 +385,10 @@ TEST(OutputFile, LeavesNoDescriptorBehind) {
     const tests::TemporaryFolder folder;
     const int before = ::dup(0);
     ::close(before);
-    put(folder / "a", "x");
+    write_whole(folder / "a", "x");
     { const OutputFile abandoned(folder / "a"); }
     { const OutputFile refused(folder / "none/a"); }
-    put("/dev/null", "x");
+    write_whole("/dev/null", "x");
     const int after = ::dup(0);
     ::close(after);
     EXPECT_EQ(after, before);

@@ -33,7 +33,7 @@ std::string leaf() {
 }
 
 /// What is said about a text that is no pyramid.
-std::string refusal(const std::string& text) {
+std::string pyramid_refusal(const std::string& text) {
     const ParsedPyramid parsed = read_pyramid(text, "p.json");
     EXPECT_EQ(parsed.pyramid.has_value(), parsed.errors.empty());
     if (!parsed.pyramid) return to_string(parsed.errors);
@@ -79,39 +79,40 @@ TEST(PyramidJson, KeepsTheAxiomAndTheLengthsOfItsGrammar) {
 
 TEST(PyramidJson, RefusesWhatIsNoPyramidWithItsPlace) {
     const std::string text = leaf();
-    ASSERT_EQ(refusal(text), "none");
-    EXPECT_THAT(refusal("[]"), HasSubstr("p.json:1:1"));
-    EXPECT_THAT(refusal(changed(text, "internode-pyramid", "internode-curve")), HasSubstr("p.json:2:13"));
-    EXPECT_THAT(refusal(changed(text, "\"version\": 1", "\"version\": 2")), HasSubstr("`version` must be 1"));
-    EXPECT_THAT(refusal(changed(text, "\"degree\": 3", "\"degree\": 13")), HasSubstr("0 to 12"));
-    EXPECT_THAT(refusal(changed(text, "least-squares", "magic")), HasSubstr("`method`"));
-    EXPECT_THAT(refusal(changed(text, "\"levels\"", "\"layers\"")), HasSubstr("`levels` is missing"));
-    EXPECT_THAT(refusal(changed(text, "\"at\": [", "\"at\": [-1, ")), HasSubstr("a point of `at`"));
-    EXPECT_THAT(refusal(changed(text, "\"details\": [", "\"details\": [[1], ")), HasSubstr("1 coordinates"));
-    EXPECT_THAT(refusal(changed(text, "\"closed\": true", "\"closed\": 1")), HasSubstr("true or false"));
+    ASSERT_EQ(pyramid_refusal(text), "none");
+    EXPECT_THAT(pyramid_refusal("[]"), HasSubstr("p.json:1:1"));
+    EXPECT_THAT(pyramid_refusal(changed(text, "internode-pyramid", "internode-curve")), HasSubstr("p.json:2:13"));
+    EXPECT_THAT(pyramid_refusal(changed(text, "\"version\": 1", "\"version\": 2")), HasSubstr("`version` must be 1"));
+    EXPECT_THAT(pyramid_refusal(changed(text, "\"degree\": 3", "\"degree\": 13")), HasSubstr("0 to 12"));
+    EXPECT_THAT(pyramid_refusal(changed(text, "least-squares", "magic")), HasSubstr("`method`"));
+    EXPECT_THAT(pyramid_refusal(changed(text, "\"levels\"", "\"layers\"")), HasSubstr("`levels` is missing"));
+    EXPECT_THAT(pyramid_refusal(changed(text, "\"at\": [", "\"at\": [-1, ")), HasSubstr("a point of `at`"));
+    EXPECT_THAT(pyramid_refusal(changed(text, "\"details\": [", "\"details\": [[1], ")), HasSubstr("1 coordinates"));
+    EXPECT_THAT(pyramid_refusal(changed(text, "\"closed\": true", "\"closed\": 1")), HasSubstr("true or false"));
 }
 
 TEST(PyramidJson, RefusesWhatDoesNotFitTogether) {
     const std::string text = leaf();
-    EXPECT_THAT(refusal(changed(text, "\"degree\": 3", "\"degree\": 0")), HasSubstr("between 1 and 12"));
-    EXPECT_THAT(refusal(changed(text, "\"L\": [\"S\", \"L\"]", "\"L\": [\"S\", \"X\"]")), HasSubstr("`X`"));
-    EXPECT_THAT(refusal(changed(text, "\"S\": [\"L\"]", "\"S\": [\"S\"]")), HasSubstr("not valid"));
-    EXPECT_THAT(refusal(changed(text, "\"S\": [\"L\"]", "\"S\": []")), HasSubstr("no rule"));
-    EXPECT_THAT(refusal(changed(text, "\"S\": [\"L\"]", "\"S\": [\"0\"]")), HasSubstr("no rule"));
-    EXPECT_THAT(refusal(changed(text, "\"word\": [\"L\"", "\"word\": [\"Q\"")), HasSubstr("`Q`"));
-    EXPECT_THAT(refusal(changed(text, "\"word\": [\"L\"", "\"word\": [\"L\", \"L\"")), HasSubstr("letter"));
-    EXPECT_THAT(refusal(changed(text, "\"word\": [\"L\"", "\"word\": [\"S\"")), HasSubstr("level 1"));
-    EXPECT_THAT(refusal(changed(text, "\"exact\": [\"1\", \"0\"]", "\"exact\": [\"2\", \"0\"]")), HasSubstr("length"));
+    EXPECT_THAT(pyramid_refusal(changed(text, "\"degree\": 3", "\"degree\": 0")), HasSubstr("between 1 and 12"));
+    EXPECT_THAT(pyramid_refusal(changed(text, "\"L\": [\"S\", \"L\"]", "\"L\": [\"S\", \"X\"]")), HasSubstr("`X`"));
+    EXPECT_THAT(pyramid_refusal(changed(text, "\"S\": [\"L\"]", "\"S\": [\"S\"]")), HasSubstr("not valid"));
+    EXPECT_THAT(pyramid_refusal(changed(text, "\"S\": [\"L\"]", "\"S\": []")), HasSubstr("no rule"));
+    EXPECT_THAT(pyramid_refusal(changed(text, "\"S\": [\"L\"]", "\"S\": [\"0\"]")), HasSubstr("no rule"));
+    EXPECT_THAT(pyramid_refusal(changed(text, "\"word\": [\"L\"", "\"word\": [\"Q\"")), HasSubstr("`Q`"));
+    EXPECT_THAT(pyramid_refusal(changed(text, "\"word\": [\"L\"", "\"word\": [\"L\", \"L\"")), HasSubstr("letter"));
+    EXPECT_THAT(pyramid_refusal(changed(text, "\"word\": [\"L\"", "\"word\": [\"S\"")), HasSubstr("level 1"));
+    EXPECT_THAT(pyramid_refusal(changed(text, "\"exact\": [\"1\", \"0\"]", "\"exact\": [\"2\", \"0\"]")),
+                HasSubstr("length"));
 }
 
 TEST(PyramidJson, AnswersClearlyForEveryPrefixAndEveryDamagedByte) {
     const std::string text = leaf();
-    for (std::size_t i = 0; i + 1 < text.size(); i += stride) EXPECT_NE(refusal(text.substr(0, i)), "");
+    for (std::size_t i = 0; i + 1 < text.size(); i += stride) EXPECT_NE(pyramid_refusal(text.substr(0, i)), "");
     for (std::size_t i = 0; i < text.size(); i += 3 * stride)
         for (const char byte : {'\0', '\xff', '\n', '"'}) {
             std::string damaged = text;
             damaged[i] = byte;
-            EXPECT_NE(refusal(damaged), "");
+            EXPECT_NE(pyramid_refusal(damaged), "");
         }
 }
 

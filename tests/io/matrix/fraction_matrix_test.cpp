@@ -136,6 +136,13 @@ TEST(FractionMatrix, RefusesTheFirstEntryBeyondTheLimitWithoutItsZeros) {
     EXPECT_EQ(error.message, "more than 2000000 entries that are not 0, the limit");
 }
 
+TEST(FractionMatrix, RefusesTheFirstEntryBeyondTheLimitOfASymmetricMatrix) {
+    const std::string head = "%%MatrixMarket matrix coordinate integer symmetric\n2 2 1000001\n";
+    const Diagnostic error = refusal(head + tests::repeated("2 1 1\n", max_matrix_entries / 2 + 1));
+    EXPECT_EQ(place(error), "1000003:1");
+    EXPECT_EQ(error.message, "more than 2000000 entries, the limit");
+}
+
 TEST(FractionMatrix, EveryPrefixAndEveryDamagedByteIsReadOrRefused) {
     const std::string texts[] = {
         "# m\r\n3/4, 1/4, 0\n0, -1, 5e-1 # end\n...\n",

@@ -3,6 +3,7 @@
 #include "internode/point/compile/exact_word.h"
 
 #include "tests/fixtures/point_systems.h"
+#include "tests/fixtures/stride.h"
 
 #include <gtest/gtest.h>
 
@@ -124,6 +125,7 @@ TEST(PointMatrix, DecidesOnlyWhatDoublesDecideAlike) {
 }
 
 TEST(PointMatrix, HasALimitOfItsWork) {
+    if (!tests::in_full()) GTEST_SKIP() << "all the work that there may be";
     const PointSystem system =
         point_system("points\nring\ntable q\nP(v) > P(u) -> P(v) P(1/2 v + 1/2 u)\ncycle q^40\n");
     EXPECT_EQ(reason(system, 4), "needs too much exact arithmetic");

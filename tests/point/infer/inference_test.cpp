@@ -19,8 +19,6 @@ using testing::SizeIs;
 
 using Stencils = std::vector<PointStencil>;
 
-constexpr auto q = fraction;
-
 /// A ring of n points: new point m q + r is stencils[r] about old point q.
 RationalMatrix ring_matrix(const Stencils& stencils, std::size_t n) {
     RationalMatrix matrix{n, {}};
@@ -40,9 +38,11 @@ RationalMatrix ring_matrix(const Stencils& stencils, std::size_t n) {
 }
 
 // The matrices of S0 as printed, by the stencils of their rows.
-const Stencils chaikin_14{{{-1, q(1, 4)}, {0, q(3, 4)}}, {{0, q(3, 4)}, {1, q(1, 4)}}};
-const Stencils cubic_21{{{-1, q(1, 2)}, {0, q(1, 2)}}, {{-1, q(1, 8)}, {0, q(3, 4)}, {1, q(1, 8)}}};
-const Stencils four_point_24{{{-2, q(-1, 16)}, {-1, q(9, 16)}, {0, q(9, 16)}, {1, q(-1, 16)}}, {{0, 1}}};
+const Stencils chaikin_14{{{-1, fraction(1, 4)}, {0, fraction(3, 4)}}, {{0, fraction(3, 4)}, {1, fraction(1, 4)}}};
+const Stencils cubic_21{{{-1, fraction(1, 2)}, {0, fraction(1, 2)}},
+                        {{-1, fraction(1, 8)}, {0, fraction(3, 4)}, {1, fraction(1, 8)}}};
+const Stencils four_point_24{
+    {{-2, fraction(-1, 16)}, {-1, fraction(9, 16)}, {0, fraction(9, 16)}, {1, fraction(-1, 16)}}, {{0, 1}}};
 
 RowPattern closed(const RationalMatrix& matrix) {
     InferredPattern inferred = infer_closed(matrix);
@@ -58,11 +58,11 @@ TEST(ClosedInference, ReadsChaikinInEveryShiftOfThePaper) {
     const RowPattern pattern = closed(ring_matrix(chaikin_14, 6));
     EXPECT_EQ(pattern.stencils, chaikin_14);
     EXPECT_EQ(production_of(pattern, 0).production, (PointProduction{1, 1, 1, false, false, chaikin_14})) << "eq. 13";
-    const Stencils eq_17{{{-1, q(3, 4)}, {0, q(1, 4)}}, {{-1, q(1, 4)}, {0, q(3, 4)}}};
+    const Stencils eq_17{{{-1, fraction(3, 4)}, {0, fraction(1, 4)}}, {{-1, fraction(1, 4)}, {0, fraction(3, 4)}}};
     EXPECT_EQ(production_of(pattern, -1).production, (PointProduction{1, 1, 0, false, false, eq_17}));
-    const Stencils eq_18{{{0, q(3, 4)}, {1, q(1, 4)}}, {{0, q(1, 4)}, {1, q(3, 4)}}};
+    const Stencils eq_18{{{0, fraction(3, 4)}, {1, fraction(1, 4)}}, {{0, fraction(1, 4)}, {1, fraction(3, 4)}}};
     EXPECT_EQ(production_of(pattern, 1).production, (PointProduction{0, 1, 1, false, false, eq_18}));
-    const Stencils eq_20{{{2, q(3, 4)}, {3, q(1, 4)}}, {{2, q(1, 4)}, {3, q(3, 4)}}};
+    const Stencils eq_20{{{2, fraction(3, 4)}, {3, fraction(1, 4)}}, {{2, fraction(1, 4)}, {3, fraction(3, 4)}}};
     EXPECT_EQ(production_of(pattern, 5).production, (PointProduction{0, 1, 3, false, false, eq_20}))
         << "j = 2i + 5: the paper's d = 3 is two rows less";
     EXPECT_EQ(production_of(pattern, 3).production.right, 2U);
@@ -74,12 +74,14 @@ TEST(ClosedInference, RecommendsTheProductionsOfThePaper) {
     EXPECT_THAT(sensible_shifts(chaikin).shifts, ElementsAre(-2, -1, 0, 1, 2));
     const RowPattern cubic = closed(ring_matrix(cubic_21, 7));
     EXPECT_EQ(sensible_shifts(cubic).recommended, 1);
-    const Stencils eq_22{{{-1, q(1, 8)}, {0, q(3, 4)}, {1, q(1, 8)}}, {{0, q(1, 2)}, {1, q(1, 2)}}};
+    const Stencils eq_22{{{-1, fraction(1, 8)}, {0, fraction(3, 4)}, {1, fraction(1, 8)}},
+                         {{0, fraction(1, 2)}, {1, fraction(1, 2)}}};
     EXPECT_EQ(production_of(cubic, 1).production, (PointProduction{1, 1, 1, false, false, eq_22}));
     EXPECT_EQ(production_of(cubic, 0).production, (PointProduction{1, 1, 1, false, false, cubic_21})) << "eq. 23";
     const RowPattern four_point = closed(ring_matrix(four_point_24, 8));
     EXPECT_EQ(sensible_shifts(four_point).recommended, 1);
-    const Stencils eq_25{{{0, 1}}, {{-1, q(-1, 16)}, {0, q(9, 16)}, {1, q(9, 16)}, {2, q(-1, 16)}}};
+    const Stencils eq_25{{{0, 1}},
+                         {{-1, fraction(-1, 16)}, {0, fraction(9, 16)}, {1, fraction(9, 16)}, {2, fraction(-1, 16)}}};
     EXPECT_EQ(production_of(four_point, 1).production, (PointProduction{1, 1, 2, false, false, eq_25}));
     EXPECT_EQ(production_of(four_point, 0).production, (PointProduction{2, 1, 1, false, false, four_point_24}))
         << "eq. 26";
@@ -100,7 +102,7 @@ TEST(ClosedInference, AShiftMovesTheRowsAndNothingElse) {
         for (PointStencil& stencil : stencils)
             for (int offset = -2; offset <= 2; ++offset)
                 if (const int weight = any(-4, 4); weight != 0 && any(0, 2) > 0)
-                    stencil.push_back({offset, q(weight, 8)});
+                    stencil.push_back({offset, fraction(weight, 8)});
         for (const std::size_t n : {6, 11}) {
             const RationalMatrix matrix = ring_matrix(stencils, n);
             const InferredPattern inferred = infer_closed(matrix);
@@ -125,7 +127,7 @@ TEST(ClosedInference, ASufficientRingGivesTheSchemeBack) {
 
 TEST(ClosedInference, ReportsTheRowsThatBreakThePattern) {
     RationalMatrix matrix = ring_matrix(chaikin_14, 6);
-    matrix.rows[5] = {{2, q(1, 2)}, {3, q(1, 2)}};
+    matrix.rows[5] = {{2, fraction(1, 2)}, {3, fraction(1, 2)}};
     const InferredPattern inferred = infer_closed(matrix);
     ASSERT_TRUE(inferred.problem);
     ASSERT_THAT(inferred.problem->rows, SizeIs(1));
@@ -156,7 +158,7 @@ TEST(ClosedInference, RefusesWhatItCannotTell) {
 }
 
 TEST(ClosedInference, SaysWhichRowsAreNotAffine) {
-    RationalMatrix matrix = ring_matrix({{{0, q(1, 2)}}, {{0, 1}}}, 3);
+    RationalMatrix matrix = ring_matrix({{{0, fraction(1, 2)}}, {{0, 1}}}, 3);
     EXPECT_THAT(closed(matrix).not_affine, ElementsAre(0, 2, 4));
 }
 

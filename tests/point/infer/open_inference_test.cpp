@@ -18,8 +18,6 @@ using testing::SizeIs;
 
 using Stencils = std::vector<PointStencil>;
 
-constexpr auto q = fraction;
-
 /// The family of matrices of an open scheme: fixed rows at the first points, a pattern, fixed rows at the last points.
 struct OpenScheme {
     std::vector<RationalRow> first; ///< columns from the first point
@@ -47,11 +45,11 @@ RationalMatrix matrix_of(const OpenScheme& scheme, std::size_t n) {
 }
 
 /// S0 eq. 27.
-const OpenScheme chaikin_27{{{{0, 1}}, {{0, q(1, 2)}, {1, q(1, 2)}}},
-                            {{{0, q(3, 4)}, {1, q(1, 4)}}, {{0, q(1, 4)}, {1, q(3, 4)}}},
+const OpenScheme chaikin_27{{{{0, 1}}, {{0, fraction(1, 2)}, {1, fraction(1, 2)}}},
+                            {{{0, fraction(3, 4)}, {1, fraction(1, 4)}}, {{0, fraction(1, 4)}, {1, fraction(3, 4)}}},
                             1,
                             2,
-                            {{{1, q(1, 2)}, {0, q(1, 2)}}, {{0, 1}}}};
+                            {{{1, fraction(1, 2)}, {0, fraction(1, 2)}}, {{0, 1}}}};
 
 OpenPattern open(const RationalMatrix& matrix) {
     InferredOpenPattern inferred = infer_open(matrix);
@@ -77,9 +75,9 @@ TEST(OpenInference, GivesTheLongFormOfThePaper) {
     const OpenProductions productions = open_productions(pattern, -1).productions.value();
     EXPECT_EQ(productions.least_points, 4U) << "at least four modules";
     const Stencils eq_28{{{0, 1}}};
-    const Stencils eq_29{{{-1, q(1, 2)}, {0, q(1, 2)}}, {{0, q(3, 4)}, {1, q(1, 4)}}};
-    const Stencils eq_30{{{-1, q(1, 4)}, {0, q(3, 4)}}, {{0, q(3, 4)}, {1, q(1, 4)}}};
-    const Stencils eq_31{{{-1, q(1, 4)}, {0, q(3, 4)}}, {{0, q(1, 2)}, {1, q(1, 2)}}};
+    const Stencils eq_29{{{-1, fraction(1, 2)}, {0, fraction(1, 2)}}, {{0, fraction(3, 4)}, {1, fraction(1, 4)}}};
+    const Stencils eq_30{{{-1, fraction(1, 4)}, {0, fraction(3, 4)}}, {{0, fraction(3, 4)}, {1, fraction(1, 4)}}};
+    const Stencils eq_31{{{-1, fraction(1, 4)}, {0, fraction(3, 4)}}, {{0, fraction(1, 2)}, {1, fraction(1, 2)}}};
     const std::vector<PointProduction> expected{{0, 1, 0, true, false, eq_28},
                                                 {1, 1, 1, true, false, eq_29},
                                                 {2, 1, 2, false, false, eq_30},
@@ -90,9 +88,9 @@ TEST(OpenInference, GivesTheLongFormOfThePaper) {
 
 TEST(OpenInference, GivesTheOrderedFormOfThePaper) {
     const OpenProductions productions = open_productions(open(matrix_of(chaikin_27, 8)), -1).productions.value();
-    const Stencils eq_34{{{-1, q(1, 2)}, {0, q(1, 2)}}, {{0, q(3, 4)}, {1, q(1, 4)}}};
-    const Stencils eq_35{{{-1, q(1, 4)}, {0, q(3, 4)}}, {{0, q(1, 2)}, {1, q(1, 2)}}};
-    const Stencils eq_36{{{-1, q(1, 4)}, {0, q(3, 4)}}, {{0, q(3, 4)}, {1, q(1, 4)}}};
+    const Stencils eq_34{{{-1, fraction(1, 2)}, {0, fraction(1, 2)}}, {{0, fraction(3, 4)}, {1, fraction(1, 4)}}};
+    const Stencils eq_35{{{-1, fraction(1, 4)}, {0, fraction(3, 4)}}, {{0, fraction(1, 2)}, {1, fraction(1, 2)}}};
+    const Stencils eq_36{{{-1, fraction(1, 4)}, {0, fraction(3, 4)}}, {{0, fraction(3, 4)}, {1, fraction(1, 4)}}};
     const std::vector<PointProduction> expected{
         {1, 1, 1, true, false, eq_34}, {1, 1, 1, false, true, eq_35}, {1, 1, 1, false, false, eq_36}};
     EXPECT_EQ(open_grammar("g", productions, OpenForm::Ordered), to_grammar("g", WordEnds::Markers, expected));
@@ -140,7 +138,7 @@ TEST(OpenInference, BothFormsSayWhatTheMatrixSaysForRandomSchemes) {
         RationalRow result;
         for (int column = 0; column < columns; ++column)
             if (const int weight = any(-3, 4); weight != 0)
-                result.push_back({static_cast<std::size_t>(column), q(weight, 4)});
+                result.push_back({static_cast<std::size_t>(column), fraction(weight, 4)});
         return result;
     };
     int shifts = 0;
@@ -152,7 +150,7 @@ TEST(OpenInference, BothFormsSayWhatTheMatrixSaysForRandomSchemes) {
             PointStencil& stencil = scheme.pattern.emplace_back();
             for (std::ptrdiff_t offset = -any(0, static_cast<int>(scheme.from));
                  offset <= any(0, static_cast<int>(scheme.until)); ++offset)
-                if (offset >= -2 && offset <= 2) stencil.push_back({offset, q(any(1, 5), 4)});
+                if (offset >= -2 && offset <= 2) stencil.push_back({offset, fraction(any(1, 5), 4)});
             if (stencil.empty()) stencil.push_back({0, 1});
             while (stencil.back().offset > static_cast<std::ptrdiff_t>(scheme.until)) stencil.pop_back();
         }
@@ -175,7 +173,7 @@ TEST(OpenInference, ReadsAPatternThatReachesTheEnds) {
 
 TEST(OpenInference, KeepsAnIdentityRuleThatTheInnerRuleWouldReplace) {
     // The first point stays; the pattern, a copy and the half way to the right, would fit it too.
-    const OpenScheme scheme{{{{0, 1}}}, {{{0, 1}}, {{0, q(1, 2)}, {1, q(1, 2)}}}, 1, 1, {{{0, 1}}}};
+    const OpenScheme scheme{{{{0, 1}}}, {{{0, 1}}, {{0, fraction(1, 2)}, {1, fraction(1, 2)}}}, 1, 1, {{{0, 1}}}};
     const OpenProductions productions = open_productions(open(matrix_of(scheme, 9)), -1).productions.value();
     EXPECT_GT(expect_both_forms(scheme, 9), 0);
     EXPECT_THAT(productions.first, SizeIs(1));
@@ -196,7 +194,7 @@ TEST(OpenInference, RefusesWhatItCannotTell) {
     EXPECT_THAT(infer_open(RationalMatrix{}).problem.value().message, HasSubstr("too small"));
     // The ring of Chaikin: its first and last rows reach round.
     RationalMatrix ring = matrix_of(chaikin_27, 8);
-    ring.rows[1] = {{0, q(3, 4)}, {7, q(1, 4)}};
+    ring.rows[1] = {{0, fraction(3, 4)}, {7, fraction(1, 4)}};
     const OpenPattern pattern = open(ring);
     EXPECT_TRUE(open_productions(pattern, -1).problem);
     EXPECT_THAT(open_productions(pattern, -1).problem->hint, HasSubstr("without --open"));

@@ -21,8 +21,6 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr auto q = fraction;
-
 std::string text_of(const PointProduction& production) {
     return print(to_grammar("g",
                             production.after_marker || production.before_marker ? WordEnds::Markers : WordEnds::Ring,
@@ -39,9 +37,20 @@ TEST(Production, TakesTheShortestContexts) {
 
 TEST(Production, IsWrittenAsThePapersWrite) {
     EXPECT_THAT(
-        text_of({1, 1, 2, false, false, {{{0, 1}}, {{-1, q(-1, 16)}, {0, q(9, 16)}, {1, q(9, 16)}, {2, q(-1, 16)}}}}),
+        text_of(
+            {1,
+             1,
+             2,
+             false,
+             false,
+             {{{0, 1}}, {{-1, fraction(-1, 16)}, {0, fraction(9, 16)}, {1, fraction(9, 16)}, {2, fraction(-1, 16)}}}}),
         HasSubstr("P(v_l) < P(v) > P(v_r) P(v_rr) -> P(v) P(-1/16 v_l + 9/16 v + 9/16 v_r - 1/16 v_rr)\n"));
-    EXPECT_THAT(text_of({1, 2, 1, false, false, {{{-1, q(-1, 4)}, {0, q(3, 4)}, {1, q(3, 4)}, {2, q(-1, 4)}}}}),
+    EXPECT_THAT(text_of({1,
+                         2,
+                         1,
+                         false,
+                         false,
+                         {{{-1, fraction(-1, 4)}, {0, fraction(3, 4)}, {1, fraction(3, 4)}, {2, fraction(-1, 4)}}}}),
                 HasSubstr("P(v_l) < P(v_a) P(v_b) > P(v_r) -> P(-1/4 v_l + 3/4 v_a + 3/4 v_b - 1/4 v_r)\n"));
     EXPECT_THAT(text_of({1, 1, 0, true, false, {{{-1, -1}, {0, 2}}}}), HasSubstr("# P(v_l) < P(v) -> P(-v_l + 2 v)\n"));
     EXPECT_THAT(text_of({4, 1, 0, false, false, {{{-4, 1}}}}),
@@ -51,12 +60,13 @@ TEST(Production, IsWrittenAsThePapersWrite) {
 }
 
 TEST(Production, GrammarsAreReadBackAsTheyAre) {
-    const std::vector<PointProduction> productions{{1, 1, 1, true, false, {{{-1, q(-1, 2)}, {0, -1}, {1, q(-5, 2)}}}},
-                                                   {1, 1, 1, false, true, {{{-1, -1}, {0, q(1, 3)}}, {{1, 1}}}},
-                                                   {5, 1, 4, false, false, {{{-5, 1}, {4, q(-1, 7)}}, {}}},
-                                                   {0, 3, 1, false, false, {{{0, 1}, {3, 1}}}},
-                                                   {0, 1, 0, false, true, {}},
-                                                   {0, 1, 0, false, false, {{{0, 1}}}}};
+    const std::vector<PointProduction> productions{
+        {1, 1, 1, true, false, {{{-1, fraction(-1, 2)}, {0, -1}, {1, fraction(-5, 2)}}}},
+        {1, 1, 1, false, true, {{{-1, -1}, {0, fraction(1, 3)}}, {{1, 1}}}},
+        {5, 1, 4, false, false, {{{-5, 1}, {4, fraction(-1, 7)}}, {}}},
+        {0, 3, 1, false, false, {{{0, 1}, {3, 1}}}},
+        {0, 1, 0, false, true, {}},
+        {0, 1, 0, false, false, {{{0, 1}}}}};
     for (const WordEnds ends : {WordEnds::Markers, WordEnds::KeptMarkers}) {
         const PointGrammar grammar = to_grammar("some name", ends, productions);
         const ParsedPointGrammar parsed = parse_point_grammar(print(grammar), "printed");
@@ -107,7 +117,7 @@ TEST(Inference, OfTheOpenMatrixOfAGrammarIsTheGrammarInBothForms) {
 }
 
 TEST(ReverseRules, OfChaikinAreThePapersText) {
-    const UniformMask chaikin{2, -1, {q(1, 4), q(3, 4), q(3, 4), q(1, 4)}};
+    const UniformMask chaikin{2, -1, {fraction(1, 4), fraction(3, 4), fraction(3, 4), fraction(1, 4)}};
     EXPECT_EQ(print(reverse_grammar("s0/38", reverse_rule(chaikin).value())), print(bundled("s0/38")));
 }
 

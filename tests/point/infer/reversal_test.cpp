@@ -19,7 +19,7 @@ using testing::Pointwise;
 using testing::SizeIs;
 
 const UniformMask chaikin{2, -1, {Rational(1, 4), Rational(3, 4), Rational(3, 4), Rational(1, 4)}};
-const UniformMask cubic{2, -2, {Rational(1, 8), Rational(1, 2), Rational(3, 4), Rational(1, 2), Rational(1, 8)}};
+const UniformMask cubic_spline{2, -2, {Rational(1, 8), Rational(1, 2), Rational(3, 4), Rational(1, 2), Rational(1, 8)}};
 
 /// Each point three times: the points of arity 3, constant between.
 const UniformMask tripled{3, 0, {1, 1, 1}};
@@ -48,7 +48,7 @@ std::vector<double> refined(const UniformMask& mask, const std::vector<double>& 
 }
 
 TEST(Reversal, GivesBackWhatTheSchemeMade) {
-    for (const UniformMask& mask : {chaikin, cubic, tripled}) {
+    for (const UniformMask& mask : {chaikin, cubic_spline, tripled}) {
         const std::vector<double> start = random_points(2 * 5);
         const std::vector<double> once = refined(mask, start, 2);
         const std::vector<double> twice = refined(mask, once, 2);
@@ -80,7 +80,7 @@ TEST(Reversal, ReportsTheDistanceOfOneMovedPoint) {
 }
 
 TEST(Reversal, IsWhatTheInterpreterDoesWithTheDerivedProduction) {
-    for (const UniformMask& mask : {chaikin, cubic, tripled}) {
+    for (const UniformMask& mask : {chaikin, cubic_spline, tripled}) {
         const ReverseRule rule = reverse_rule(mask, 1).value();
         const std::vector<double> fine = random_points(3 * 18);
         PointSettings settings;

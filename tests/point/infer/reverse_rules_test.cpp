@@ -17,11 +17,9 @@ namespace {
 
 using testing::ElementsAre;
 
-constexpr auto q = fraction;
-
 UniformMask mask(std::size_t arity, std::ptrdiff_t first, long denominator, const std::vector<long>& numerators) {
     UniformMask result{arity, first, {}};
-    for (const long numerator : numerators) result.coefficients.push_back(q(numerator, denominator));
+    for (const long numerator : numerators) result.coefficients.push_back(fraction(numerator, denominator));
     return result;
 }
 
@@ -60,18 +58,24 @@ void expect_left_inverse(const UniformMask& mask, const ReverseRule& rule) {
 TEST(ReverseRules, GiveEquation38ForChaikin) {
     const ReverseRule rule = reverse_rule(chaikin_13).value();
     EXPECT_EQ(rule.first, -1);
-    EXPECT_THAT(rule.weights, ElementsAre(q(-1, 4), q(3, 4), q(3, 4), q(-1, 4)));
+    EXPECT_THAT(rule.weights, ElementsAre(fraction(-1, 4), fraction(3, 4), fraction(3, 4), fraction(-1, 4)));
     EXPECT_EQ(gain(rule), 2);
     const PointProduction production = production_of(rule);
-    EXPECT_EQ(production,
-              (PointProduction{1, 2, 1, false, false, {{{-1, q(-1, 4)}, {0, q(3, 4)}, {1, q(3, 4)}, {2, q(-1, 4)}}}}));
+    EXPECT_EQ(
+        production,
+        (PointProduction{1,
+                         2,
+                         1,
+                         false,
+                         false,
+                         {{{-1, fraction(-1, 4)}, {0, fraction(3, 4)}, {1, fraction(3, 4)}, {2, fraction(-1, 4)}}}}));
     expect_left_inverse(chaikin_13, rule);
 }
 
 TEST(ReverseRules, InvertEverySchemeOfThePaper) {
     const ReverseRule cubic = reverse_rule(cubic_22).value();
     EXPECT_EQ(cubic.first, -1);
-    EXPECT_THAT(cubic.weights, ElementsAre(q(-1, 2), 2, q(-1, 2)));
+    EXPECT_THAT(cubic.weights, ElementsAre(fraction(-1, 2), 2, fraction(-1, 2)));
     expect_left_inverse(cubic_22, cubic);
     const ReverseRule four_point = reverse_rule(four_point_25).value();
     EXPECT_THAT(four_point.weights, ElementsAre(1)) << "the old points are still there";

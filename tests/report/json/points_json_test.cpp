@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using tests::point_system;
 
-std::string json(const PointStrands& strands, const PointSystem& system, const PointsDocument& document) {
+std::string json_of(const PointStrands& strands, const PointSystem& system, const PointsDocument& document) {
     StringSink sink;
     EXPECT_TRUE(write_points_json(sink, strands, system, document));
     return sink.text();
@@ -31,7 +31,7 @@ PointStrands corner() {
 
 TEST(PointsJson, TellsConstantsExactlyWhereTheyAre) {
     const PointSystem system = point_system("points g\nt = 1/4\nh = sqrt(2)\nf(x) = x\nring\nP(v) -> P(v)\n");
-    EXPECT_THAT(json(corner(), system, {.name = "g", .cycles = 3, .generator = {}}),
+    EXPECT_THAT(json_of(corner(), system, {.name = "g", .cycles = 3, .generator = {}}),
                 AllOf(HasSubstr("\"t\": {\"value\": 0.25, \"exact\": \"1/4\"}"),
                       HasSubstr("\"h\": {\"value\": 1.4142135623730951, \"exact\": null}"), Not(HasSubstr("\"f\"")),
                       HasSubstr("\"cycles\": 3"), HasSubstr("\"closed\": true"), HasSubstr("[1, 2]")));
@@ -39,7 +39,7 @@ TEST(PointsJson, TellsConstantsExactlyWhereTheyAre) {
 
 TEST(PointsJson, SetsWeightsApart) {
     const PointSystem system = point_system("points g\nring\nP(v) -> P(v)\n");
-    const std::string text = json(corner(), system, {.name = "g", .weighted = true, .generator = {}});
+    const std::string text = json_of(corner(), system, {.name = "g", .weighted = true, .generator = {}});
     EXPECT_THAT(text, HasSubstr("\"weights\": [0, 2]"));
     EXPECT_THAT(text, AllOf(HasSubstr("[0]"), HasSubstr("[1]")));
     PointStrands numbers = corner();
@@ -53,7 +53,7 @@ TEST(PointsJson, WritesLinesAsPairs) {
     const PointSystem system = point_system("points g\nring\nP(v) -> P(v)\n");
     PointStrands strands = corner();
     strands.lines = {0, 0, 1, 2};
-    EXPECT_THAT(json(strands, system, {.name = "g", .generator = {}}), HasSubstr("[[0, 0], [1, 2]]"));
+    EXPECT_THAT(json_of(strands, system, {.name = "g", .generator = {}}), HasSubstr("[[0, 0], [1, 2]]"));
 }
 
 TEST(PointsJson, RefusesWhatJsonHasNot) {
@@ -78,7 +78,7 @@ TEST(PointsJson, HasAWholeDocumentForEachPartOfSeveral) {
         return all;
     };
     for (const PointsPart& part : parts)
-        EXPECT_THAT(flat(text), HasSubstr(flat(json(part.strands, part.system, part.document))));
+        EXPECT_THAT(flat(text), HasSubstr(flat(json_of(part.strands, part.system, part.document))));
     PointStrands numbers = corner();
     numbers.dimension = 1;
     const std::vector<PointsPart> bad{{numbers, system, {.name = "g", .weighted = true, .generator = {}}}};

@@ -3,6 +3,7 @@
 #include "internode/report/picture/curve_picture.h"
 #include "internode/report/picture/palette.h"
 #include "tests/report/picture/drawn_points.h"
+#include "tests/report/picture/planar.h"
 #include "tests/report/systems.h"
 
 namespace internode {
@@ -12,17 +13,12 @@ using testing_report::curve_of;
 using testing_report::dots_of;
 using testing_report::expect_drawn;
 using testing_report::expect_near;
+using testing_report::planar_of;
 using testing_report::system_of;
 using testing_report::way_of;
 using testing_report::WayToScreen;
 using tests::DrawnShape;
 using tests::Spot;
-
-PlanarCurve planar_of(const Curve& coarse, int steps) {
-    Refinement refinement(coarse);
-    for (int step = 0; step < steps; ++step) refinement.step();
-    return planar_curve(coarse, refinement, {});
-}
 
 std::vector<DrawnShape> drawn(const PlanarCurve& planar) {
     return tests::shapes_of(tests::read_markup(curve_picture(planar, {.title = "t", .generator = {"0", "x"}})));

@@ -2,6 +2,7 @@
 
 #include "internode/report/picture/curve_picture.h"
 
+#include "tests/report/picture/planar.h"
 #include "tests/report/systems.h"
 
 #include <gmock/gmock.h>
@@ -15,15 +16,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 using testing_report::curve_of;
+using testing_report::planar_of;
 using testing_report::system_of;
-
-const Generator generator{"0.1.0", "internode subdivide"};
-
-PlanarCurve planar_of(const Curve& coarse, int steps, PictureAxes axes = {}) {
-    Refinement refinement(coarse);
-    for (int step = 0; step < steps; ++step) refinement.step();
-    return planar_curve(coarse, refinement, axes);
-}
 
 std::string limit_layer(const std::string& svg) {
     const std::size_t start = svg.find("<g id=\"limit\"");
@@ -34,7 +28,8 @@ TEST(CurvePicture, DrawsEveryIntervalAsOneExactSegmentUpToDegreeThree) {
     const IntervalSystem system = system_of(testing_report::fibonacci);
     for (int degree = 1; degree <= 3; ++degree) {
         const PlanarCurve planar = planar_of(curve_of(system, degree, Ends::Circular), 3);
-        const std::string layer = limit_layer(curve_picture(planar, {.title = "t", .generator = generator}));
+        const std::string layer =
+            limit_layer(curve_picture(planar, {.title = "t", .generator = testing_report::drawer}));
         const char command = std::string("LQC")[static_cast<std::size_t>(degree) - 1];
         std::size_t count = 0;
         const std::regex data(" d=\"([^\"]*)\"");
@@ -61,8 +56,8 @@ TEST(CurvePicture, SegmentsJoin) {
 TEST(CurvePicture, NothingIsClipped) {
     const IntervalSystem system = system_of(testing_report::fibonacci);
     for (const int degree : {2, 5}) {
-        const std::string svg =
-            curve_picture(planar_of(curve_of(system, degree, Ends::Open), 2), {.title = "t", .generator = generator});
+        const std::string svg = curve_picture(planar_of(curve_of(system, degree, Ends::Open), 2),
+                                              {.title = "t", .generator = testing_report::drawer});
         std::smatch box;
         ASSERT_TRUE(std::regex_search(svg, box, std::regex("viewBox=\"0 0 ([0-9.]+) ([0-9.]+)\"")));
         const double width = std::stod(box[1]);
@@ -82,15 +77,15 @@ TEST(CurvePicture, ADimensionOneCurveIsAGraphOverItsParameter) {
     EXPECT_TRUE(planar.is_graph);
     for (std::size_t i = 1; i < planar.segments.size(); ++i)
         EXPECT_GE(planar.segments[i].x, planar.segments[i - 1].x - 1e-12);
-    EXPECT_THAT(curve_picture(planar, {.title = "t", .generator = generator}), HasSubstr("parameter"));
+    EXPECT_THAT(curve_picture(planar, {.title = "t", .generator = testing_report::drawer}), HasSubstr("parameter"));
 }
 
 TEST(CurvePicture, StepZeroHasNoRefinedPolygon) {
     const IntervalSystem system = system_of(testing_report::fibonacci);
     const Curve curve = curve_of(system, 3, Ends::Circular);
-    EXPECT_THAT(curve_picture(planar_of(curve, 0), {.title = "t", .generator = generator}),
+    EXPECT_THAT(curve_picture(planar_of(curve, 0), {.title = "t", .generator = testing_report::drawer}),
                 Not(HasSubstr("id=\"refined\"")));
-    EXPECT_THAT(curve_picture(planar_of(curve, 1), {.title = "t", .generator = generator}),
+    EXPECT_THAT(curve_picture(planar_of(curve, 1), {.title = "t", .generator = testing_report::drawer}),
                 HasSubstr("id=\"refined\""));
 }
 
@@ -98,7 +93,7 @@ TEST(CurvePicture, OnePathPerSymbolHoweverManyIntervals) {
     const IntervalSystem system = system_of(testing_report::fibonacci);
     const PlanarCurve planar = planar_of(curve_of(system, 3, Ends::Circular), 12);
     ASSERT_GT(planar.symbols.size(), 2000U);
-    const std::string svg = curve_picture(planar, {.title = "t", .generator = generator});
+    const std::string svg = curve_picture(planar, {.title = "t", .generator = testing_report::drawer});
     const std::string layer = limit_layer(svg);
     std::size_t paths = 0;
     for (std::size_t at = 0; (at = layer.find("<path", at)) != std::string::npos; ++at) ++paths;
@@ -114,8 +109,8 @@ TEST(CurvePicture, DrawsPointsAndHugeNumbersToo) {
         data.ends = Ends::Circular;
         data.word = Word(3, to_symbol(0));
         data.points = {-size, 0, size, size, 0, -size};
-        const std::string svg =
-            curve_picture(planar_of(make_curve(system, data).curve.value(), 1), {.title = "t", .generator = generator});
+        const std::string svg = curve_picture(planar_of(make_curve(system, data).curve.value(), 1),
+                                              {.title = "t", .generator = testing_report::drawer});
         EXPECT_THAT(svg, Not(HasSubstr("nan")));
         EXPECT_THAT(svg, Not(HasSubstr("inf\"")));
     }
@@ -125,7 +120,7 @@ TEST(CurvePicture, RefusesAxesThatThePointsDoNotHave) {
     const Curve curve = curve_of(system_of(testing_report::fibonacci), 2, Ends::Open);
     EXPECT_THROW((void)planar_of(curve, 0, {.right = 0, .up = 2}), std::invalid_argument);
     EXPECT_NO_THROW((void)planar_of(curve, 0, {.right = 1, .up = 0}));
-    EXPECT_THROW((void)curve_picture({}, {.title = "t", .generator = generator}), std::invalid_argument);
+    EXPECT_THROW((void)curve_picture({}, {.title = "t", .generator = testing_report::drawer}), std::invalid_argument);
 }
 
 TEST(CurvePicture, NamesAreText) {

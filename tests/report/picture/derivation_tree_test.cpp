@@ -49,6 +49,11 @@ TEST(DerivationTree, NumbersStandBesideTheirModules) {
     EXPECT_THAT(derivation_tree(tree_of(system, 1), system), HasSubstr(">A(4)</text>"));
 }
 
+TEST(DerivationTree, TheKeyNamesNumbersByTheirPlace) {
+    const PointSystem system = point_system("points n\naxiom A(1, 2, 3, 4, 5)\nA(a, b, c, d, e) -> A(b, c, d, e, a)\n");
+    EXPECT_THAT(derivation_tree(tree_of(system, 1), system), HasSubstr(">A(x, y, z, x4, x5)</text>"));
+}
+
 TEST(DerivationTree, StatesHaveColoursOfTheirOwn) {
     const PointSystem system = point_system("points s\naxiom P((0,0), 2) P((1,0), 0)\nP(v, s) -> P(v, s)\n");
     const std::string svg = derivation_tree(tree_of(system, 1), system);

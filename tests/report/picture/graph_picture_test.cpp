@@ -20,8 +20,6 @@ FactorGraph graph_of(const Morphism& rules, std::size_t letters, std::size_t wor
     return factor_graph(rules, start, 1000);
 }
 
-const Generator generator{"0.1.0", "internode masks"};
-
 struct Box {
     double x, y, width, height;
 };
@@ -39,7 +37,7 @@ TEST(GraphPicture, NoTwoWordsTouch) {
     for (std::size_t letters = 1; letters <= 3; ++letters) {
         const FactorGraph graph = graph_of(grammar.rules, letters, 64);
         if (graph.words.size() > max_drawn_words) continue;
-        const std::vector<Box> boxes = boxes_of(graph_picture(graph, grammar.alphabet, "slow", generator));
+        const std::vector<Box> boxes = boxes_of(graph_picture(graph, grammar.alphabet, "slow", testing_report::drawer));
         ASSERT_EQ(boxes.size(), graph.words.size());
         for (std::size_t a = 0; a < boxes.size(); ++a)
             for (std::size_t b = 0; b < a; ++b)
@@ -51,7 +49,8 @@ TEST(GraphPicture, NoTwoWordsTouch) {
 
 TEST(GraphPicture, PersistentWordsAreBlue) {
     const IntervalGrammar grammar = testing_report::grammar_of(testing_report::fibonacci);
-    const std::string svg = graph_picture(graph_of(grammar.rules, 3, 8), grammar.alphabet, "fibonacci", generator);
+    const std::string svg =
+        graph_picture(graph_of(grammar.rules, 3, 8), grammar.alphabet, "fibonacci", testing_report::drawer);
     EXPECT_THAT(svg, HasSubstr("transient"));
     std::size_t blue = 0;
     for (std::size_t at = 0; (at = svg.find("rx=\"15\" fill=\"#d6ebf8\"", at)) != std::string::npos; ++at) ++blue;
@@ -60,10 +59,10 @@ TEST(GraphPicture, PersistentWordsAreBlue) {
 
 TEST(GraphPicture, RefusesMoreWordsThanACircleShows) {
     const IntervalGrammar grammar = testing_report::grammar_of(testing_report::fibonacci);
-    EXPECT_NO_THROW((void)graph_picture(graph_of(grammar.rules, 6, 64), grammar.alphabet, "", generator));
-    EXPECT_THROW((void)graph_picture(graph_of(grammar.rules, 7, 128), grammar.alphabet, "", generator),
+    EXPECT_NO_THROW((void)graph_picture(graph_of(grammar.rules, 6, 64), grammar.alphabet, "", testing_report::drawer));
+    EXPECT_THROW((void)graph_picture(graph_of(grammar.rules, 7, 128), grammar.alphabet, "", testing_report::drawer),
                  std::length_error);
-    EXPECT_THROW((void)graph_picture({}, grammar.alphabet, "", generator), std::invalid_argument);
+    EXPECT_THROW((void)graph_picture({}, grammar.alphabet, "", testing_report::drawer), std::invalid_argument);
 }
 
 TEST(GraphPicture, NamesAreText) {

@@ -20,7 +20,7 @@ using tests::Spot;
 
 const std::vector<double> house{0, 0, 4, 0, 4, 3, 2, 5, 0, 3}; // its roof is on top
 
-PictureLevel level(std::size_t number, const std::vector<double>& points, bool closed = true) {
+PictureLevel house_level(std::size_t number, const std::vector<double>& points, bool closed = true) {
     PictureLevel made{.number = number};
     PointStrands& part = made.parts.emplace_back();
     part.dimension = 2;
@@ -58,7 +58,8 @@ DrawnShape lines_of(const std::vector<DrawnShape>& panel) {
 TEST(LevelsDrawing, EveryPolygonStandsUprightInOneScaleInItsPanel) {
     LevelsPicture picture;
     for (std::size_t k = 0; k < 3; ++k)
-        picture.levels.push_back(level(k, moved(house, static_cast<double>(k), 2 - static_cast<double>(k)), k != 1));
+        picture.levels.push_back(
+            house_level(k, moved(house, static_cast<double>(k), 2 - static_cast<double>(k)), k != 1));
     const std::vector<DrawnShape> shapes = drawn(picture);
     WayToScreen first;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -80,7 +81,7 @@ TEST(LevelsDrawing, PanelsStandInReadingOrderAndHoldTheirPoints) {
     for (const auto& [count, columns] : std::vector<std::pair<std::size_t, std::size_t>>{
              {1, 1}, {2, 2}, {3, 3}, {4, 2}, {5, 3}, {9, 3}, {10, 4}, {12, 4}}) {
         LevelsPicture picture;
-        for (std::size_t k = 0; k < count; ++k) picture.levels.push_back(level(k, house));
+        for (std::size_t k = 0; k < count; ++k) picture.levels.push_back(house_level(k, house));
         const std::vector<DrawnShape> shapes = drawn(picture);
         std::vector<Spot> corners;
         double width = 0;
@@ -106,7 +107,7 @@ TEST(LevelsDrawing, PanelsStandInReadingOrderAndHoldTheirPoints) {
 
 TEST(LevelsDrawing, TheFirstLevelLiesInGreyUnderTheOthers) {
     LevelsPicture picture;
-    picture.levels = {level(0, house), level(1, moved(house, 1, 1)), level(2, moved(house, 0, 1))};
+    picture.levels = {house_level(0, house), house_level(1, moved(house, 1, 1)), house_level(2, moved(house, 0, 1))};
     const std::vector<DrawnShape> shapes = drawn(picture);
     const DrawnShape own = lines_of(shapes_in(shapes, id_of(0)));
     EXPECT_FALSE(shapes_in(shapes, id_of(0)).front().used);
@@ -124,7 +125,7 @@ TEST(LevelsDrawing, TheFirstLevelLiesInGreyUnderTheOthers) {
 
 TEST(LevelsDrawing, LinesOfAWordAreDrawnOneByOneInsteadOfTheStrands) {
     LevelsPicture picture;
-    picture.levels = {level(3, house)};
+    picture.levels = {house_level(3, house)};
     picture.levels[0].parts[0].lines = {0, 0, 4, 3, 2, 5, 0, 1};
     const std::vector<DrawnShape> panel = shapes_in(drawn(picture), id_of(3));
     const WayToScreen way = way_of(plane_points(house), dots_of(panel[1]));
@@ -170,9 +171,9 @@ TEST(LevelsDrawing, NumbersStandOverTheirPlacesAtEqualSteps) {
 
 TEST(LevelsDrawing, SeveralPolygonsStandTogetherEachWithItsStrandsOrItsLines) {
     LevelsPicture picture;
-    PictureLevel several = level(0, house);
-    several.parts.push_back(level(0, moved(house, 7, -2), false).parts[0]);
-    several.parts.push_back(level(0, moved(house, 3, 9)).parts[0]);
+    PictureLevel several = house_level(0, house);
+    several.parts.push_back(house_level(0, moved(house, 7, -2), false).parts[0]);
+    several.parts.push_back(house_level(0, moved(house, 3, 9)).parts[0]);
     several.parts[2].lines = {0, 12, 4, 12};
     several.parts.emplace_back(); // a word without points
     picture.levels = {several};
@@ -202,7 +203,7 @@ TEST(LevelsDrawing, DotsEndWhereTheyWouldHideTheLines) {
             points.push_back(static_cast<double>(i % 7));
         }
         LevelsPicture picture;
-        picture.levels.push_back(level(0, points, false));
+        picture.levels.push_back(house_level(0, points, false));
         std::size_t dots = 0;
         for (const DrawnShape& shape : shapes_in(drawn(picture), id_of(0)))
             if (!shape.runs.empty() && shape.runs.front().commands == "h") dots += dots_of(shape).size();
@@ -212,7 +213,7 @@ TEST(LevelsDrawing, DotsEndWhereTheyWouldHideTheLines) {
 
 TEST(LevelsDrawing, RefusesNumbersBesidePoints) {
     LevelsPicture picture;
-    picture.levels = {level(0, house)};
+    picture.levels = {house_level(0, house)};
     picture.levels[0].parts.push_back({.dimension = 1, .points = {1, 2}, .strands = {}, .lines = {}});
     EXPECT_THROW((void)levels_picture(picture), std::invalid_argument);
 }

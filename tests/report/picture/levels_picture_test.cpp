@@ -17,8 +17,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const Generator generator{"0.1.0", "internode subdivide"};
-
 PictureLevel level(std::size_t number, const std::vector<double>& points, bool closed) {
     PictureLevel made{.number = number};
     PointStrands& part = made.parts.emplace_back();
@@ -32,7 +30,7 @@ PictureLevel level(std::size_t number, const std::vector<double>& points, bool c
 }
 
 LevelsPicture picture(std::vector<PictureLevel> levels) {
-    return {.levels = std::move(levels), .title = "t", .generator = generator};
+    return {.levels = std::move(levels), .title = "t", .generator = testing_report::drawer};
 }
 
 const std::vector<double> triangle{0, 0, 4, 0, 0, 3};

@@ -9,7 +9,6 @@
 #include "internode/io/obj/obj_statement.h"
 #include "internode/text/number.h"
 
-#include <algorithm>
 #include <cassert>
 #include <charconv>
 #include <stdexcept>
@@ -344,7 +343,7 @@ private:
 
     void refuse(const ObjWord& word, std::string message) {
         Diagnostic diagnostic = diagnostic_at(text_, word.offset, file_.source, std::move(message));
-        diagnostic.width = std::max<std::size_t>(place_of(word.text, word.text.size()).column - 1, 1);
+        diagnostic.width = columns_of(word.text);
         diagnostic.code = "obj.unexpected";
         errors_.push_back(std::move(diagnostic));
     }
