@@ -25,10 +25,9 @@ constexpr int drawn_steps = 1;
 std::string page_text(const SettledCurve& loaded, const Convergence& convergence, const Context& context) {
     const Curve& curve = loaded.curve;
     Refinement refinement(curve);
-    for (int step = 0; step < drawn_steps; ++step) refinement.step();
-    const PictureAxes axes{0, curve.dimension() > 1 ? std::size_t{1} : std::size_t{0}};
+    refinement.advance(drawn_steps);
     const std::string picture =
-        curve_picture(planar_curve(curve, refinement, axes), {loaded.source, generator(context), SvgPlace::Page});
+        curve_picture(planar_curve(curve, refinement, {}), {loaded.source, generator(context), SvgPlace::Page});
     return convergence_page({convergence, curve.system(), loaded.source, picture, generator(context)});
 }
 

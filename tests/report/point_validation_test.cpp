@@ -63,6 +63,12 @@ TEST(PointValidationText, NamesModulesOfTheAxiomThatStay) {
     EXPECT_THAT(text_of(open_four), Not(HasSubstr("from the axiom")));
 }
 
+TEST(PointValidationJson, HasARuleForPlacesInRulesOnly) {
+    const std::string json = json_of("points\naxiom P((0, 0))\nP(v) -> P(v) P((1, 1))\n");
+    EXPECT_THAT(json, HasSubstr(R"("part": "axiom", "pass": null, "rule": null,)"));
+    EXPECT_THAT(json, HasSubstr(R"("part": "rule", "pass": null, "rule": 0,)"));
+}
+
 TEST(PointValidationText, NamesProblemsOfKinds) {
     const std::string text = text_of(number);
     EXPECT_THAT(text, HasSubstr("number: not valid\n  - line 2: "));

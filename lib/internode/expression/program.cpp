@@ -208,7 +208,8 @@ private:
             return;
         }
         const bool single = steps.size() == operands[0].first_step + 2;
-        if (single && !operands[0].known.empty() && steps.back().code == Code::PushFormal) {
+        if (single && !operands[0].known.empty()) {
+            assert(steps.back().code == Code::PushFormal && "what is known and no formal has been folded");
             const Program::Step formal = steps.back();
             const std::uint32_t number = steps[steps.size() - 2].a;
             steps.resize(steps.size() - 2);

@@ -81,7 +81,6 @@ using Apply = std::vector<double> (*)(const Line& line, const std::vector<double
 /// A map of lines along v, then along u.
 std::vector<double> applied(const GridHierarchy& hierarchy, std::size_t dimension, std::span<const double> points,
                             const ReverseOptions& options, Apply apply) {
-    if (hierarchy.levels_u < 0 || hierarchy.levels_v < 0) throw std::invalid_argument("a negative number of levels");
     const Line u(hierarchy.u, hierarchy.levels_u, options);
     const Line v(hierarchy.v, hierarchy.levels_v, options);
     const std::size_t rows = u.fine_size();
