@@ -123,6 +123,26 @@ TEST(FusedStencils, SayWhenLengthsAreTooUneven) {
     EXPECT_FALSE(fuse(automaton, system, 2, every(automaton)).has_value());
 }
 
+TEST(FusedStencils, OfOneStepTakeExactRowsWherePairsOfDoublesDoNotSuffice) {
+    const IntervalSystem system = system_of("A->AA, B->BB\nlength A = 1\nlength B = 1000000000000");
+    const std::vector<CellState> cells =
+        cell_states(word_of(system, "AAAAAAAAAAAABBBBBBBBBBBBBBAB"), 5, Ends::Circular);
+    const StencilAutomaton exact = make_automaton(system, 5, cells, max_states);
+    const StencilAutomaton bare = make_automaton(system, 5, cells, max_states, AutomatonRows::None);
+    const auto of_exact = fuse(exact, system, 1, every(exact));
+    const auto of_bare = fuse(bare, system, 1, every(bare));
+    ASSERT_TRUE(of_exact && of_bare);
+    ASSERT_GT(of_exact->row_count(), 30U);
+    EXPECT_EQ(of_bare->descendants, of_exact->descendants);
+    ASSERT_EQ(of_bare->weights.size(), of_exact->weights.size());
+    std::size_t equal = 0;
+    for (std::size_t i = 0; i < of_bare->weights.size(); ++i) {
+        EXPECT_NEAR(of_bare->weights[i], of_exact->weights[i], 0x1p-80) << "what pairs of doubles cannot tell from 0";
+        equal += of_bare->weights[i] == of_exact->weights[i] ? 1 : 0;
+    }
+    EXPECT_GT(equal, of_bare->weights.size() * 3 / 4);
+}
+
 TEST(FusedStencils, RefuseNoStepsAndAWrongWish) {
     const IntervalSystem system = system_of("A->AA");
     const StencilAutomaton automaton =

@@ -46,5 +46,29 @@ TEST(Plan, GoesOnWhenAllCellsHaveDied) {
     }
 }
 
+TEST(Plan, SharesTheTablesOfEqualStepsWhereTheyHaveAllRows) {
+    const CellRow same{0, {1}};
+    const CellRules rules{{{0, same}, {0, same}},
+                          {{0, same}}}; // state 0 has itself twice, state 1 is met at first only
+    const auto automaton = std::make_shared<const CellAutomaton>(make_cell_automaton(rules));
+    std::vector<std::vector<bool>> asked;
+    const StepFuser fuser{[&](int steps, const std::vector<bool>& wanted) {
+        EXPECT_EQ(steps, 1);
+        asked.push_back(wanted);
+        return std::optional(one_step(*automaton));
+    }};
+    PlanOptions options;
+    options.most_fused_steps = 1;
+    const RefinementPlan plan(automaton, {1, 0, 1}, 4, fuser, options);
+    EXPECT_THAT(plan.blocks(), testing::ElementsAre(1, 1, 1, 1));
+    EXPECT_THAT(asked, testing::ElementsAre(std::vector{true, false}, std::vector{true, true}));
+    std::vector<double> out(plan.output_size());
+    plan.apply<double>(std::vector<double>{1, 2, 4}, 1, out);
+    EXPECT_EQ(out.size(), 8U + 16 + 8);
+    EXPECT_EQ(out.front(), 1);
+    EXPECT_EQ(out[8], 2);
+    EXPECT_EQ(out.back(), 4);
+}
+
 } // namespace
 } // namespace internode

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Numbers of about 106 bits: the unevaluated sum hi + lo of two doubles, |lo| <= ulp(hi)/2.
+// Numbers of about 106 bits: the unevaluated sum hi + lo of two doubles, |lo| <= ulp(hi)/2. Or several numbers side by
+// side, when Real is a vector of doubles: each lane has the bytes that it would have alone.
 //
 // For tables that are too large to be derived in the field: a weight that has been through some hundred operations here
 // still rounds to the nearest double, but for ties. Sums and products by Knuth's and Dekker's error-free
@@ -13,10 +14,12 @@
 
 namespace internode {
 
-struct DoubleDouble {
-    double hi = 0;
-    double lo = 0;
+template<typename Real>
+struct PairOf {
+    Real hi{};
+    Real lo{};
 };
+using DoubleDouble = PairOf<double>;
 
 /// The nearest pair of doubles.
 [[nodiscard]] inline DoubleDouble to_double_double(const Number& value) {
@@ -24,41 +27,47 @@ struct DoubleDouble {
     return {hi, (value - Number(Rational(hi))).to_double()};
 }
 
-[[nodiscard]] inline DoubleDouble two_sum(double a, double b) {
-    const double sum = a + b;
-    const double b_part = sum - a;
+template<typename Real>
+[[nodiscard]] PairOf<Real> two_sum(Real a, Real b) {
+    const Real sum = a + b;
+    const Real b_part = sum - a;
     return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
-[[nodiscard]] inline DoubleDouble two_product(double a, double b) {
+template<typename Real>
+[[nodiscard]] PairOf<Real> two_product(Real a, Real b) {
     constexpr double splitter = 134217729; // 2^27 + 1: halves of 26 bits
-    const double a_scaled = splitter * a;
-    const double b_scaled = splitter * b;
-    const double a_hi = a_scaled - (a_scaled - a);
-    const double b_hi = b_scaled - (b_scaled - b);
-    const double a_lo = a - a_hi;
-    const double b_lo = b - b_hi;
-    const double product = a * b;
+    const Real a_scaled = splitter * a;
+    const Real b_scaled = splitter * b;
+    const Real a_hi = a_scaled - (a_scaled - a);
+    const Real b_hi = b_scaled - (b_scaled - b);
+    const Real a_lo = a - a_hi;
+    const Real b_lo = b - b_hi;
+    const Real product = a * b;
     return {product, ((a_hi * b_hi - product) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo};
 }
 
-[[nodiscard]] inline DoubleDouble operator-(DoubleDouble a) {
+template<typename Real>
+[[nodiscard]] PairOf<Real> operator-(PairOf<Real> a) {
     return {-a.hi, -a.lo};
 }
 
-[[nodiscard]] inline DoubleDouble operator+(DoubleDouble a, DoubleDouble b) {
-    const DoubleDouble high = two_sum(a.hi, b.hi);
-    const DoubleDouble low = two_sum(a.lo, b.lo);
-    const DoubleDouble sum = two_sum(high.hi, high.lo + low.hi);
+template<typename Real>
+[[nodiscard]] PairOf<Real> operator+(PairOf<Real> a, PairOf<Real> b) {
+    const PairOf<Real> high = two_sum(a.hi, b.hi);
+    const PairOf<Real> low = two_sum(a.lo, b.lo);
+    const PairOf<Real> sum = two_sum(high.hi, high.lo + low.hi);
     return two_sum(sum.hi, sum.lo + low.lo);
 }
 
-[[nodiscard]] inline DoubleDouble operator-(DoubleDouble a, DoubleDouble b) {
+template<typename Real>
+[[nodiscard]] PairOf<Real> operator-(PairOf<Real> a, PairOf<Real> b) {
     return a + -b;
 }
 
-[[nodiscard]] inline DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {
-    const DoubleDouble product = two_product(a.hi, b.hi);
+template<typename Real>
+[[nodiscard]] PairOf<Real> operator*(PairOf<Real> a, PairOf<Real> b) {
+    const PairOf<Real> product = two_product(a.hi, b.hi);
     return two_sum(product.hi, product.lo + (a.hi * b.lo + a.lo * b.hi));
 }
 

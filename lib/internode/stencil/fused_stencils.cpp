@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The rows of k steps at once are blossoms of the same old interval at the knots after k steps. They are taken in pairs
-// of doubles from exact lengths and rounded once. Where intermediate sums are so large that 106 bits might not do,
-// there is no table, and the plan goes step by step.
+// of doubles from exact lengths and rounded once, two rows side by side. Where intermediate sums are so large that 106
+// bits might not do, there is no table, and the plan goes step by step; the rows of one step are then exact.
 
 #include "internode/stencil/fused_stencils.h"
 
@@ -10,22 +10,69 @@
 #include "internode/spline/window.h"
 
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <stdexcept>
 
 namespace internode {
 namespace {
 
 constexpr std::size_t max_width = 13; // degree 12
-using PairRow = std::array<DoubleDouble, max_width>;
+
+/// Two rows side by side: what every processor of the machines here has, and no larger, so that the bytes are the same.
+typedef double TwoLanes __attribute__((vector_size(16))); // NOLINT(modernize-use-using): no attribute there
 
 /// Intermediate combinations larger than this lose the bits that make the rounded rows right.
 constexpr double largest_sum = 0x1p40;
 /// A weight below this cannot be seen in a sum of d+1 products; it is what is left of an exact 0.
 constexpr double smallest_weight = 0x1p-80;
+
+template<typename Real>
+constexpr std::size_t lane_count = sizeof(Real) / sizeof(double);
+
+template<typename Real>
+std::array<double, lane_count<Real>> lanes_of(Real lanes) {
+    return std::bit_cast<std::array<double, lane_count<Real>>>(lanes);
+}
+
+/// The same number in every lane.
+template<typename Real>
+PairOf<Real> spread(DoubleDouble value) {
+    if constexpr (lane_count<Real> == 1)
+        return value;
+    else
+        return {Real{value.hi, value.hi}, Real{value.lo, value.lo}};
+}
+
+/// Numbers in a row, read by lanes.
+class Arguments {
+public:
+    explicit Arguments(const std::vector<DoubleDouble>& values) {
+        for (const DoubleDouble& value : values) {
+            hi_.push_back(value.hi);
+            lo_.push_back(value.lo);
+        }
+    }
+
+    /// Numbers i, i + 1, …, one a lane.
+    template<typename Real>
+    [[nodiscard]] PairOf<Real> at(std::size_t i) const {
+        assert(i + lane_count<Real> <= hi_.size());
+        PairOf<Real> result;
+        std::memcpy(&result.hi, &hi_[i], sizeof(Real));
+        std::memcpy(&result.lo, &lo_[i], sizeof(Real));
+        return result;
+    }
+
+private:
+    std::vector<double> hi_;
+    std::vector<double> lo_;
+};
 
 /// The blossom over one window in pairs of doubles; as spline/blossom.h has it in K.
 class Piece {
@@ -42,21 +89,24 @@ public:
     [[nodiscard]] std::size_t degree() const { return knots_.size() / 2; }
     [[nodiscard]] double largest() const { return largest_; }
 
-    /// The d+1 weights at `degree` arguments.
-    PairRow weights(const DoubleDouble* arguments) {
+    /// The d+1 weights at arguments `first` … `first` + d-1, and in the next lanes at those one further on.
+    template<typename Real>
+    std::array<PairOf<Real>, max_width> weights(const Arguments& arguments, std::size_t first) {
         const std::size_t d = degree();
-        PairRow row{};
-        row[0] = {1, 0};
+        const PairOf<Real> one = spread<Real>({1, 0});
+        std::array<PairOf<Real>, max_width> row{};
+        row[0] = one;
         for (std::size_t level = d; level >= 1; --level) {
             const DoubleDouble* const reciprocals = reciprocals_of(level);
-            const DoubleDouble x = arguments[level - 1];
+            const auto x = arguments.at<Real>(first + level - 1);
             // In place, from the right: entry i gives to i and i + 1.
             for (std::size_t i = d - level + 1; i-- > 0;) {
-                const DoubleDouble share = (x - knots_[i + level - 1]) * reciprocals[i];
-                row[i + 1] = row[i + 1] + row[i] * share;
-                row[i] = row[i] * (DoubleDouble{1, 0} - share);
+                const PairOf<Real> share = (x - spread<Real>(knots_[i + level - 1])) * spread<Real>(reciprocals[i]);
+                const PairOf<Real> given = row[i] * share;
+                row[i + 1] = row[i + 1] + given;
+                row[i] = row[i] - given;
             }
-            measure(row);
+            measure<Real>(std::span(row).first(d + 1));
         }
         return row;
     }
@@ -69,10 +119,12 @@ private:
         return reciprocals_.data() + (level - 1) * (d + 1) - (level - 1) * level / 2;
     }
 
-    void measure(const PairRow& row) {
-        double sum = 0;
-        for (const DoubleDouble& entry : row) sum += std::abs(entry.hi);
-        if (!(sum <= largest_)) largest_ = sum;
+    template<typename Real>
+    void measure(std::span<const PairOf<Real>> row) {
+        Real sums{};
+        for (const PairOf<Real>& entry : row) sums += entry.hi < 0 ? -entry.hi : entry.hi;
+        for (const double sum : lanes_of(sums))
+            if (!(sum <= largest_)) largest_ = sum;
     }
 
     std::vector<DoubleDouble> knots_;
@@ -91,18 +143,20 @@ public:
         for (const DoubleDouble& length : lengths_) refined_lengths_.push_back(length * scale);
     }
 
-    /// The rows of every state; false when they would not be precise.
-    bool add_rows(FusedStencils& table) const {
-        for (std::uint32_t state = 0; state < automaton_.state_count(); ++state) {
-            if (table.rows(state) == 0) continue;
-            Piece piece(local_knots(automaton_.state(state).window));
-            const std::vector<DoubleDouble> knots = refined_knots(table, state);
-            const std::size_t rows = table.rows(state);
-            for (std::size_t row = 0; row < rows; ++row) add(piece.weights(knots.data() + row), table);
-            if (!(piece.largest() <= largest_sum)) return false;
-        }
-        assert(table.weights.size() == table.row_count() * table.width);
-        return true;
+    /// Adds the rows of a state that has some; false, and none are added, when they would not be precise.
+    bool add_rows(std::uint32_t state, FusedStencils& table) const {
+        const std::size_t before = table.weights.size();
+        assert(table.rows(state) > 0 && before == table.first_row[state] * table.width);
+        Piece piece(local_knots(automaton_.state(state).window));
+        const Arguments knots(refined_knots(table, state));
+        const std::size_t rows = table.rows(state);
+        std::size_t row = 0;
+        for (; row + lane_count<TwoLanes> <= rows; row += lane_count<TwoLanes>)
+            add(piece.weights<TwoLanes>(knots, row), table);
+        for (; row < rows; ++row) add(piece.weights<double>(knots, row), table);
+        if (piece.largest() <= largest_sum) return true;
+        table.weights.resize(before);
+        return false;
     }
 
 private:
@@ -152,11 +206,13 @@ private:
         return {first, first + static_cast<std::ptrdiff_t>(d)};
     }
 
-    static void add(const PairRow& row, FusedStencils& table) {
-        for (std::size_t i = 0; i < table.width; ++i) {
-            const double weight = row[i].hi;
-            table.weights.push_back(std::abs(weight) < smallest_weight ? 0 : weight);
-        }
+    template<typename Real>
+    static void add(const std::array<PairOf<Real>, max_width>& rows, FusedStencils& table) {
+        for (std::size_t lane = 0; lane < lane_count<Real>; ++lane)
+            for (std::size_t i = 0; i < table.width; ++i) {
+                const double weight = lanes_of(rows[i].hi)[lane];
+                table.weights.push_back(std::abs(weight) < smallest_weight ? 0 : weight);
+            }
     }
 
     const StencilAutomaton& automaton_;
@@ -195,29 +251,25 @@ void keep(const std::vector<bool>& wanted, FusedStencils& table) {
     table.descendants = std::move(descendants);
 }
 
-/// The exact rows of one step, rounded; derived here when the automaton was made without.
-void add_exact_rows(const StencilAutomaton& automaton, const IntervalSystem& system, FusedStencils& table) {
-    table.weights.clear();
+/// The exact rows of one step of a state, rounded; derived here when the automaton was made without.
+void add_exact_rows(const StencilAutomaton& automaton, const IntervalSystem& system, std::uint32_t state,
+                    FusedStencils& table) {
     const auto add = [&table](const std::vector<Number>& row) {
         for (const Number& weight : row) table.weights.push_back(weight.to_double());
     };
-    for (std::uint32_t state = 0; state < automaton.state_count(); ++state) {
-        if (table.rows(state) == 0) continue;
-        if (automaton.row_count() > 0) {
-            for (const StencilAutomaton::Child& child : automaton.children(state)) {
-                const auto row = automaton.weights(child.row);
-                table.weights.insert(table.weights.end(), row.begin(), row.end());
-            }
-            continue;
+    if (automaton.row_count() > 0) {
+        for (const StencilAutomaton::Child& child : automaton.children(state)) {
+            const auto row = automaton.weights(child.row);
+            table.weights.insert(table.weights.end(), row.begin(), row.end());
         }
-        const WindowPiece piece(system, automaton.state(state).window);
-        if (automaton.state(state).lead > 0) {
-            add(piece.leading(automaton.state(state).lead));
-            continue;
-        }
-        for (std::size_t c = 0; c < piece.child_count(); ++c) add(piece.child(c));
+        return;
     }
-    assert(table.weights.size() == table.row_count() * table.width);
+    const CellState& cell = automaton.state(state);
+    const WindowPiece piece(system, cell.window);
+    if (cell.lead > 0)
+        add(piece.leading(cell.lead));
+    else
+        for (std::size_t c = 0; c < piece.child_count(); ++c) add(piece.child(c));
 }
 
 /// No step yet: every state is its own descendant.
@@ -245,9 +297,13 @@ std::optional<FusedStencils> fuse(const StencilAutomaton& automaton, const Inter
     keep(wanted, table);
     table.weights.reserve(table.row_count() * table.width);
     const bool has_exact = steps == 1 && automaton.row_count() > 0;
-    if (!has_exact && Fusion(automaton, system, steps).add_rows(table)) return table;
-    if (steps > 1) return std::nullopt;
-    add_exact_rows(automaton, system, table);
+    const Fusion fusion(automaton, system, steps);
+    for (std::uint32_t state = 0; state < automaton.state_count(); ++state) {
+        if (table.rows(state) == 0 || (!has_exact && fusion.add_rows(state, table))) continue;
+        if (steps > 1) return std::nullopt;
+        add_exact_rows(automaton, system, state, table);
+    }
+    assert(table.weights.size() == table.row_count() * table.width);
     return table;
 }
 

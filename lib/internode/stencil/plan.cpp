@@ -83,6 +83,34 @@ private:
     PlanOptions options_;
 };
 
+/// The tables of blocks, by their steps: blocks of as many steps share one, where it has all the rows that they need.
+class Tables {
+public:
+    explicit Tables(const StepFuser& fuser)
+        : fuser_(fuser) {}
+
+    /// None where it would not be precise.
+    std::shared_ptr<const FusedStencils> of(int steps, const std::vector<bool>& wanted) {
+        const auto has_all = [&](const Made& one) {
+            return one.stencils->steps == steps && std::ranges::equal(wanted, one.wanted, std::ranges::less_equal());
+        };
+        const auto found = std::ranges::find_if(made_, has_all);
+        if (found != made_.end()) return found->stencils;
+        std::optional<FusedStencils> stencils = fuser_.table(steps, wanted);
+        if (!stencils) return nullptr;
+        made_.push_back({wanted, std::make_shared<const FusedStencils>(*std::move(stencils))});
+        return made_.back().stencils;
+    }
+
+private:
+    struct Made {
+        std::vector<bool> wanted;
+        std::shared_ptr<const FusedStencils> stencils;
+    };
+    const StepFuser& fuser_;
+    std::vector<Made> made_;
+};
+
 /// The counts come from the caller.
 std::size_t coordinates(std::uint64_t points, std::size_t dimension) {
     if (dimension == 0) throw std::invalid_argument("no coordinates, or no polygons");
@@ -130,10 +158,9 @@ RefinementPlan::RefinementPlan(std::shared_ptr<const CellAutomaton> automaton, s
 void RefinementPlan::choose_blocks(int steps, const StepFuser& fuser, const PlanOptions& options) {
     Levels levels = levels_of(*automaton_, cells_, steps);
     const BlockChoice choice(*automaton_, fuser.width, levels, options);
-    const auto table = [&](int level, int count) -> std::shared_ptr<const FusedStencils> {
-        std::optional<FusedStencils> made =
-            fuser.table(count, levels.occupied[static_cast<std::size_t>(level - count)]);
-        return made ? std::make_shared<const FusedStencils>(*std::move(made)) : nullptr;
+    Tables tables(fuser);
+    const auto table = [&](int level, int count) {
+        return tables.of(count, levels.occupied[static_cast<std::size_t>(level - count)]);
     };
     for (int level = steps; level > 0;) {
         int count = choice.last_block(static_cast<std::size_t>(level));
