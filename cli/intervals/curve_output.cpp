@@ -24,6 +24,7 @@ CurveDocument curve_document(const Curve& curve, const PointsView& points, bool 
     document.knots = written_knots(curve.knots());
     document.points = points;
     document.weighted = weighted;
+    document.threads = context.apply.threads;
     return document;
 }
 

@@ -141,12 +141,12 @@ public:
         if (written.weighted) columns.emplace_back("w");
         PartSink part = begin(loaded);
         if (format_ == "csv")
-            write_csv(part, written.view(), {columns, {}});
+            write_csv(part, written.view(), {.header = columns, .threads = context_.apply.threads});
         else if (format_ == "npy")
             write_npy(sink_, written.view());
         else
             write_obj(sink_, written.view(), curve.ends(), vertices_ == 0 ? comments() : std::vector<std::string>(),
-                      vertices_);
+                      vertices_, context_.apply.threads);
         vertices_ += curve.size();
     }
 

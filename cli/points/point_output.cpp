@@ -75,7 +75,7 @@ std::size_t write_point_obj(Sink& sink, const PointStrands& strands, std::size_t
     const PointsView view{strands.dimension, points};
     std::vector<std::string> comments;
     if (before == 0) comments = {"internode " + generator(context).version, context.command_line};
-    write_obj(sink, view, polylines_of(strands, view.size()), comments, before);
+    write_obj(sink, view, polylines_of(strands, view.size()), comments, before, context.apply.threads);
     return view.size();
 }
 
@@ -96,11 +96,12 @@ void refuse_nothing(const PointStrands& strands, const LoadedPoints& loaded, con
                   "--format text writes the word itself");
 }
 
-void write_csv_parts(Sink& sink, const std::vector<DrawnPart>& parts) {
+void write_csv_parts(Sink& sink, const std::vector<DrawnPart>& parts, const Context& context) {
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const auto& [loaded, strands, weighted] = parts[i];
         PartSink part(sink, i == 0, written_break(loaded->break_text, i == 0));
-        write_csv(part, {strands.dimension, strands.points}, {column_names(*loaded, strands.dimension, weighted), {}});
+        write_csv(part, {strands.dimension, strands.points},
+                  {.header = column_names(*loaded, strands.dimension, weighted), .threads = context.apply.threads});
     }
 }
 
@@ -144,7 +145,7 @@ void write_points(Sink& sink, const std::string& format, const std::vector<Drawn
     if (format == "csv") {
         for (const DrawnPart& part : parts)
             require_equal_columns(parts.front().strands.dimension, part.strands.dimension);
-        write_csv_parts(sink, parts);
+        write_csv_parts(sink, parts, context);
     } else if (format == "npy") {
         assert(parts.size() == 1);
         const PointStrands& only = parts.front().strands;

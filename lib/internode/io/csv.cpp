@@ -2,7 +2,8 @@
 
 #include "internode/io/csv.h"
 
-#include "internode/io/file/text_buffer.h"
+#include "internode/io/file/text_lines.h"
+#include "internode/text/number.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -46,19 +47,21 @@ std::vector<std::string> coordinate_names(std::size_t dimension) {
 
 bool write_csv(Sink& sink, const PointsView& points, const CsvOptions& options) {
     require_matching_sizes(points, options);
-    TextBuffer text(sink);
-    for (std::size_t i = 0; i < options.header.size(); ++i) text << (i == 0 ? "" : ",") << csv_field(options.header[i]);
-    if (!options.header.empty()) text.end_line();
-    for (std::size_t row = 0; row < points.size(); ++row) {
-        if (!options.parameter.empty()) text << options.parameter[row] << ',';
-        for (std::size_t i = 0; i < points.dimension; ++i) {
-            if (i > 0) text << ',';
-            const double value = points[row][i];
-            if (!options.nan_is_missing || !std::isnan(value)) text << value;
+    std::string header;
+    for (const std::string& name : options.header) header += (header.empty() ? "" : ",") + csv_field(name);
+    if (!options.header.empty() && !sink.write(header + '\n')) return false;
+    return write_lines(sink, points.size(), options.threads, [&](std::size_t row, std::string& text) {
+        if (!options.parameter.empty()) {
+            append(text, options.parameter[row]);
+            text += ',';
         }
-        if (!text.end_line()) return false;
-    }
-    return text.flush();
+        for (std::size_t i = 0; i < points.dimension; ++i) {
+            if (i > 0) text += ',';
+            const double value = points[row][i];
+            if (!options.nan_is_missing || !std::isnan(value)) append(text, value);
+        }
+        text += '\n';
+    });
 }
 
 } // namespace internode

@@ -17,6 +17,7 @@ struct CsvOptions {
     std::vector<std::string> header{};   ///< a name per column, no line when empty; quoted where needed
     std::span<const double> parameter{}; ///< a column before the coordinates, one value per point; none when empty
     bool nan_is_missing = false;         ///< a NaN is an empty field
+    int threads = 1;                     ///< that make the lines; 0: as many as the machine has
 };
 
 /// "x", "y", "z" up to three dimensions, "x1" … "xn" beyond.

@@ -3,8 +3,10 @@
 #include "internode/stencil/parallel.h"
 
 #include <algorithm>
+#include <atomic>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
 
 namespace internode {
@@ -25,6 +27,32 @@ void for_each_task(std::size_t count, int threads, const std::function<void(std:
     }
     tbb::task_arena arena(concurrency(threads));
     arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, task); });
+}
+
+bool for_each_text(std::size_t count, int threads, const std::function<std::string(std::size_t)>& make,
+                   const std::function<bool(std::string_view)>& take) {
+    if (threads == 1 || count <= 1) {
+        for (std::size_t i = 0; i < count; ++i)
+            if (!take(make(i))) return false;
+        return true;
+    }
+    std::atomic<bool> is_taken = true;
+    std::size_t next = 0;
+    const auto number = [&](tbb::flow_control& control) {
+        if (next == count || !is_taken) control.stop();
+        return next++;
+    };
+    const auto pass = [&](const std::string& text) {
+        if (is_taken && !take(text)) is_taken = false;
+    };
+    tbb::task_arena arena(concurrency(threads));
+    const auto ahead = 2 * static_cast<std::size_t>(arena.max_concurrency());
+    arena.execute([&] {
+        tbb::parallel_pipeline(ahead, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, number) &
+                                          tbb::make_filter<std::size_t, std::string>(tbb::filter_mode::parallel, make) &
+                                          tbb::make_filter<std::string, void>(tbb::filter_mode::serial_in_order, pass));
+    });
+    return is_taken;
 }
 
 } // namespace internode

@@ -3,6 +3,7 @@
 #include "internode/io/json/curve_json.h"
 
 #include "internode/io/json/json_writer.h"
+#include "internode/text/number.h"
 
 #include <algorithm>
 #include <cassert>
@@ -22,10 +23,11 @@ void write_head(JsonWriter& json, const CurveDocument& curve) {
 void write_word(JsonWriter& json, const CurveDocument& curve) {
     if (curve.word.empty()) return;
     json.key("word").begin_array(one_line);
-    for (const Symbol symbol : curve.word) {
-        if (!json.good()) break;
-        json.string(symbol == zero_interval ? "0" : curve.symbols.at(to_index(symbol)));
-    }
+    std::vector<std::string> quoted;
+    for (const std::string& symbol : curve.symbols) quoted.push_back(json_quoted(symbol));
+    json.values(curve.word.size(), curve.threads, [&](std::size_t i, std::string& text) {
+        text += curve.word[i] == zero_interval ? "\"0\"" : quoted.at(to_index(curve.word[i]));
+    });
     json.end_array();
 }
 
@@ -51,25 +53,30 @@ void write_knots(JsonWriter& json, const CurveDocument& curve) {
     }
     if (curve.knots.empty()) return;
     json.key("knots").begin_array(one_line);
-    for (std::size_t i = 0; i < curve.knots.size() && json.good(); ++i) json.number(curve.knots[i]);
+    json.values(curve.knots.size(), curve.threads,
+                [&](std::size_t i, std::string& text) { append(text, curve.knots[i]); });
     json.end_array();
 }
 
-void write_points(JsonWriter& json, const PointsView& points, std::size_t dimension) {
-    assert(dimension >= 1 && dimension <= points.dimension);
+void write_points(JsonWriter& json, const CurveDocument& curve) {
+    const std::size_t dimension = curve.points.dimension - (curve.weighted ? 1 : 0);
+    assert(dimension >= 1);
     json.key("points").begin_array();
-    for (std::size_t row = 0; row < points.size() && json.good(); ++row) {
-        json.begin_array(one_line);
-        for (const double coordinate : points[row].first(dimension)) json.number(coordinate);
-        json.end_array();
-    }
+    json.values(curve.points.size(), curve.threads, [&](std::size_t row, std::string& text) {
+        const std::span<const double> point = curve.points[row].first(dimension);
+        for (std::size_t i = 0; i < dimension; ++i) {
+            text += i == 0 ? "[" : ", ";
+            append(text, point[i]);
+        }
+        text += ']';
+    });
     json.end_array();
 }
 
-void write_weights(JsonWriter& json, const PointsView& points) {
-    assert(points.dimension >= 2);
+void write_weights(JsonWriter& json, const CurveDocument& curve) {
     json.key("weights").begin_array(one_line);
-    for (std::size_t row = 0; row < points.size() && json.good(); ++row) json.number(points[row].back());
+    json.values(curve.points.size(), curve.threads,
+                [&](std::size_t row, std::string& text) { append(text, curve.points[row].back()); });
     json.end_array();
 }
 
@@ -84,8 +91,8 @@ void write_one(JsonWriter& json, const CurveDocument& curve) {
     write_word(json, curve);
     write_lengths(json, curve);
     write_knots(json, curve);
-    write_points(json, curve.points, curve.points.dimension - (curve.weighted ? 1 : 0));
-    if (curve.weighted) write_weights(json, curve.points);
+    write_points(json, curve);
+    if (curve.weighted) write_weights(json, curve);
     json.end_object();
 }
 

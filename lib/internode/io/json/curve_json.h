@@ -39,6 +39,7 @@ struct CurveDocument {
     std::vector<double> knots; ///< rounded, for the eye and for a check; the key is left out when empty
     PointsView points;
     bool weighted = false; ///< the last coordinate of each row goes into "weights" instead
+    int threads = 1;       ///< that make the text; 0: as many as the machine has
 };
 
 /// Several as one document of format "internode-curves", in which each is a whole "internode-curve". Return and

@@ -2,6 +2,7 @@
 
 #include "internode/io/json/json_writer.h"
 
+#include "internode/io/file/text_lines.h"
 #include "internode/text/number.h"
 #include "internode/text/utf8.h"
 
@@ -135,6 +136,23 @@ JsonWriter& JsonWriter::boolean(bool value) {
 
 JsonWriter& JsonWriter::null() {
     return scalar("null");
+}
+
+JsonWriter& JsonWriter::values(std::size_t count, int threads,
+                               const std::function<void(std::size_t i, std::string& text)>& append_value) {
+    assert(!open_.empty() && !open_.back().is_object);
+    if (count == 0) return *this;
+    before_entry(); // of the first value; what stands before the others is the same with a comma
+    drain(0);
+    const bool in_line = open_.back().layout == Layout::Line;
+    const std::string between = in_line ? ", " : ",\n" + std::string(2 * open_.size(), ' ');
+    good_ = write_lines(sink_, count, threads,
+                        [&](std::size_t i, std::string& text) {
+                            if (i > 0) text += between;
+                            append_value(i, text);
+                        }) &&
+            good_;
+    return *this;
 }
 
 bool JsonWriter::finish() {

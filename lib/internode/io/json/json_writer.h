@@ -11,6 +11,7 @@
 #include "internode/io/file/sink.h"
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,10 @@ public:
     JsonWriter& integer(std::size_t value);
     JsonWriter& boolean(bool value);
     JsonWriter& null();
+    /// `count` values more of an array: `append_value(i, text)` appends the text of value i, on at most `threads`
+    /// threads (0: as many as the machine has) and in any order. The bytes are those of one value after another.
+    JsonWriter& values(std::size_t count, int threads,
+                       const std::function<void(std::size_t i, std::string& text)>& append_value);
 
     /// The last newline and the buffer to the sink; the value must be complete: assert. False if the sink has failed.
     bool finish();
