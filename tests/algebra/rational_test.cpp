@@ -51,7 +51,7 @@ void expect_nearest_around(double value) {
     const Rational tie = here + gap / 2;
     for (const Rational& point : {here, Rational(here + gap / 3), Rational(tie - gap / 1000000), tie,
                                   Rational(tie + gap / 1000000), Rational(here + 2 * gap / 3)}) {
-        if (point >= to_rational(largest) + power_of_two(970)) continue; // beyond: tests::infinity, tested by itself
+        if (point >= to_rational(largest) + power_of_two(970)) continue; // beyond: infinity, tested by itself
         expect_nearest(point);
         expect_nearest(-point);
     }

@@ -189,7 +189,7 @@ TEST(KnotVector, RefusesADegreeOfZero) {
     EXPECT_THROW((void)fit_knots(halving(), open(0, 1, {"0", "1"})), std::invalid_argument);
 }
 
-/// Knots with rounds, at the ends up to d + 1 times.
+/// Knots with repetitions, at the ends up to d + 1 times.
 KnotVector random_knots(Random& random, int degree, bool is_closed) {
     const std::size_t d = static_cast<std::size_t>(degree);
     KnotVector knots;

@@ -13,8 +13,10 @@ namespace {
 
 using testing::AllOf;
 using testing::Each;
+using testing::ElementsAre;
 using testing::Gt;
 using testing::Lt;
+using testing::Pair;
 
 /// Reads the only argument of the only rule's successor; numbers are the formals that begin with `s`.
 struct Reading {
@@ -38,6 +40,17 @@ struct Reading {
         return reader.read(rule.successor.at(0).arguments.at(0), extents, rule.formals, reading);
     }
 
+    /// Of an argument that is a point: each formal with a coefficient, and the coefficient as text.
+    std::vector<std::pair<std::size_t, std::string>> coefficients() {
+        const std::optional<SymbolicValue> value = read();
+        EXPECT_TRUE(value && value->is_point);
+        std::vector<std::pair<std::size_t, std::string>> texts;
+        if (value)
+            for (const auto& [formal, coefficient] : value->coefficients)
+                texts.emplace_back(formal, to_string(coefficient, reader.names()));
+        return texts;
+    }
+
     PointGrammar grammar;
     std::vector<KnownNumber> constants;
     SymbolicReader reader;
@@ -45,23 +58,13 @@ struct Reading {
 
 TEST(SymbolicValue, GivesTheCoefficientOfEachPoint) {
     Reading reading("points\nt = 1/3\nP(u, s) < P(v, s2) -> P((1 - t) u + s v - v, 0)");
-    const auto value = reading.read();
-    ASSERT_TRUE(value && value->is_point);
-    ASSERT_EQ(value->coefficients.size(), 2U);
-    EXPECT_EQ(to_string(value->coefficients[0].second, reading.reader.names()), "1 - t");
-    EXPECT_EQ(value->coefficients[0].first, 0U);
-    EXPECT_EQ(to_string(value->coefficients[1].second, reading.reader.names()), "-1 + s");
-    EXPECT_EQ(value->coefficients[1].first, 2U);
-    EXPECT_FALSE(value->has_coordinates);
+    EXPECT_THAT(reading.coefficients(), ElementsAre(Pair(0, "1 - t"), Pair(2, "-1 + s")));
+    EXPECT_FALSE(reading.read().value().has_coordinates);
 }
 
 TEST(SymbolicValue, AFactorMayFollowItsPoint) {
     Reading reading("points\nt = 1/3\nP(u) < P(v) -> P(u*t + v*(1 - t))");
-    const auto value = reading.read();
-    ASSERT_TRUE(value && value->is_point);
-    ASSERT_EQ(value->coefficients.size(), 2U);
-    EXPECT_EQ(to_string(value->coefficients[0].second, reading.reader.names()), "t");
-    EXPECT_EQ(to_string(value->coefficients[1].second, reading.reader.names()), "1 - t");
+    EXPECT_THAT(reading.coefficients(), ElementsAre(Pair(0, "t"), Pair(1, "1 - t")));
 }
 
 TEST(SymbolicValue, ConstantsMayBeTheirValues) {

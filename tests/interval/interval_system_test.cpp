@@ -73,9 +73,9 @@ TEST(IntervalSystem, APowerHasThePeriodAndTheNameOfItsSteps) {
         EXPECT_EQ(several.period(), system_of(several.grammar()).period()) << steps;
     }
     IntervalGrammar named = fibonacci_grammar();
-    named.name = "fibonacci_grammar()";
-    EXPECT_EQ(power(system_of(named), 1).grammar().name, "fibonacci_grammar()");
-    EXPECT_EQ(power(system_of(named), 3).grammar().name, "fibonacci_grammar()^3");
+    named.name = "fibonacci";
+    EXPECT_EQ(power(system_of(named), 1).grammar().name, "fibonacci");
+    EXPECT_EQ(power(system_of(named), 3).grammar().name, "fibonacci^3");
 }
 
 TEST(IntervalSystem, APowerIsAtLeastOneAndWithinTheLimit) {

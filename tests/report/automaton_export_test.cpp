@@ -2,6 +2,7 @@
 
 #include "internode/report/automaton_export.h"
 
+#include "internode/curve/knots.h"
 #include "internode/report/code/automaton_code.h"
 #include "internode/report/json/automaton_json.h"
 #include "internode/word/factors.h"
@@ -25,13 +26,6 @@ AutomatonExport persistent(const std::string& grammar, int degree) {
     return export_automaton("g", system_of(grammar), degree, WordChoice::Default, max_states);
 }
 
-Word with_zeros(const Word& domain, std::size_t zeros) {
-    Word word(zeros, zero_interval);
-    word.insert(word.end(), domain.begin(), domain.end());
-    word.insert(word.end(), zeros, zero_interval);
-    return word;
-}
-
 TEST(AutomatonExport, ServesEveryOpenAndClampedWordThatPersists) {
     for (const auto& [name, text] : tests::sample_systems()) {
         SCOPED_TRACE(name);
@@ -43,7 +37,7 @@ TEST(AutomatonExport, ServesEveryOpenAndClampedWordThatPersists) {
             for (const Word& word : persistent_words(system.rules(), 2 * d + 2, 100'000)) {
                 for (const CellState& cell : cell_states(word, degree, Ends::Open))
                     EXPECT_NO_THROW((void)exported.automaton.find(cell));
-                for (const CellState& cell : cell_states(with_zeros(word, d), degree, Ends::Open))
+                for (const CellState& cell : cell_states(clamped(word, degree), degree, Ends::Open))
                     EXPECT_NO_THROW((void)exported.automaton.find(cell));
             }
         }

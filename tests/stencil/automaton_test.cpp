@@ -3,12 +3,12 @@
 #include "internode/stencil/automaton.h"
 
 #include "internode/algebra/fraction.h"
+#include "internode/curve/knots.h"
 #include "internode/spline/window.h"
 #include "tests/fixtures/interval_systems.h"
 #include "tests/fixtures/stride.h"
 #include "tests/reference/nearest.h"
 #include "tests/reference/step_matrix.h"
-#include "tests/stencil/sample_words.h"
 
 #include <gmock/gmock.h>
 
@@ -103,7 +103,7 @@ TEST(Automaton, OfFibonacciIsSmall) {
         Word word = word_of(fibonacci, "L");
         while (word.size() < 400) word = fibonacci.rules()(word);
         const std::vector<CellState> cells = cell_states(word, degree, Ends::Circular);
-        const StencilAutomaton automaton = make_automaton(fibonacci, degree, cells, tests::many_states);
+        const StencilAutomaton automaton = make_automaton(fibonacci, degree, cells, max_states);
         EXPECT_EQ(automaton.state_count(), 2 * static_cast<std::size_t>(degree));
         EXPECT_EQ(automaton.degree(), degree);
         EXPECT_EQ(automaton.width(), static_cast<std::size_t>(degree) + 1);
@@ -113,13 +113,13 @@ TEST(Automaton, OfFibonacciIsSmall) {
 TEST(Automaton, HoldsTransientWindowsOfItsWord) {
     const IntervalSystem fibonacci = system_of("L->SL, S->L");
     const std::vector<CellState> cells = cell_states(word_of(fibonacci, "SSSSS"), 3, Ends::Circular);
-    EXPECT_EQ(make_automaton(fibonacci, 3, cells, tests::many_states).state_count(), 9U);
+    EXPECT_EQ(make_automaton(fibonacci, 3, cells, max_states).state_count(), 9U);
 }
 
 TEST(Automaton, SharesEqualRows) {
     const IntervalSystem sederberg = system_of("A->AA, B->BB");
     const std::vector<CellState> cells = cell_states(word_of(sederberg, "ABBA"), 3, Ends::Circular);
-    const StencilAutomaton automaton = make_automaton(sederberg, 3, cells, tests::many_states);
+    const StencilAutomaton automaton = make_automaton(sederberg, 3, cells, max_states);
     EXPECT_GT(automaton.state_count(), 2U);
     EXPECT_EQ(automaton.row_count(), 2U) << "all lengths are 1: the rows of uniform subdivision";
 }
@@ -131,7 +131,7 @@ TEST(Automaton, GivesEveryStateItsWindowsRows) {
         for (int degree = 1; degree <= 4; ++degree) {
             const auto d = static_cast<std::size_t>(degree);
             const std::vector<CellState> cells = cell_states(rewritten_word(system, 2 * d + 4), degree, Ends::Open);
-            const StencilAutomaton automaton = make_automaton(system, degree, cells, tests::many_states);
+            const StencilAutomaton automaton = make_automaton(system, degree, cells, max_states);
             for (std::uint32_t s = 0; s < automaton.state_count(); ++s) {
                 const CellState state = automaton.state(s);
                 EXPECT_EQ(automaton.find(state), s);
@@ -154,7 +154,7 @@ TEST(Automaton, RoundsEveryWeightOnce) {
     for (const auto& [name, text] : tests::sample_systems()) {
         const IntervalSystem system = system_of(text);
         const std::vector<CellState> cells = cell_states(rewritten_word(system, 12), 4, Ends::Open);
-        const StencilAutomaton automaton = make_automaton(system, 4, cells, tests::many_states);
+        const StencilAutomaton automaton = make_automaton(system, 4, cells, max_states);
         for (std::uint32_t row = 0; row < automaton.row_count(); ++row)
             for (std::size_t i = 0; i < automaton.width(); ++i)
                 EXPECT_TRUE(reference::is_nearest(automaton.weights(row)[i], automaton.exact_weights(row)[i])) << name;
@@ -165,7 +165,7 @@ TEST(Automaton, RefusesMoreStatesThanAllowed) {
     const IntervalSystem fibonacci = system_of("L->SL, S->L");
     const std::vector<CellState> cells = cell_states(word_of(fibonacci, "LSLLSL"), 3, Ends::Circular);
     EXPECT_THROW((void)make_automaton(fibonacci, 3, cells, 5), TooManyStates);
-    const StencilAutomaton automaton = make_automaton(fibonacci, 3, cells, tests::many_states);
+    const StencilAutomaton automaton = make_automaton(fibonacci, 3, cells, max_states);
     EXPECT_NO_THROW((void)make_automaton(fibonacci, 3, cells, automaton.state_count()));
     EXPECT_THROW((void)make_automaton(fibonacci, 3, cells, automaton.state_count() - 1), TooManyStates);
 }
@@ -173,7 +173,7 @@ TEST(Automaton, RefusesMoreStatesThanAllowed) {
 TEST(Automaton, RefusesStatesThatAreNone) {
     const IntervalSystem fibonacci = system_of("L->SL, S->L");
     const auto make = [&](int degree, const char* window, std::uint32_t lead) {
-        return make_automaton(fibonacci, degree, {{word_of(fibonacci, window), lead}}, tests::many_states);
+        return make_automaton(fibonacci, degree, {{word_of(fibonacci, window), lead}}, max_states);
     };
     EXPECT_THROW((void)make(0, "L", 0), std::invalid_argument);
     EXPECT_THROW((void)make(13, "L", 0), std::invalid_argument);
@@ -215,7 +215,7 @@ TEST(Step, WithEmptyIntervalsIsTheSameGatheredScatteredAndInserted) {
             broken.insert(broken.end(), zeros, zero_interval);
             broken.push_back(to_symbol(1));
             expect_same_step_by_three_routes(fibonacci, broken, degree, Ends::Circular);
-            expect_same_step_by_three_routes(fibonacci, tests::clamped_word(broken, degree), degree, Ends::Open);
+            expect_same_step_by_three_routes(fibonacci, clamped(broken, degree), degree, Ends::Open);
             const Word ends = rewritten_word(fibonacci, static_cast<std::size_t>(degree));
             Word open = ends;
             open.insert(open.end(), broken.begin(), broken.end());
@@ -242,7 +242,7 @@ TEST(Step, OfClosedWordsWithAnyZerosIsTheSameByThreeRoutes) {
 TEST(Step, OfAClampedWordKeepsItsEnds) {
     const IntervalSystem fibonacci = system_of("L->SL, S->L");
     for (int degree = 1; degree <= 6; ++degree) {
-        const Word word = tests::clamped_word(word_of(fibonacci, "LSLLSL"), degree);
+        const Word word = clamped(word_of(fibonacci, "LSLLSL"), degree);
         const Matrix matrix = gather_matrix(fibonacci, word, degree, Ends::Open);
         EXPECT_EQ(matrix.front().front(), Number(1));
         EXPECT_EQ(matrix.back().back(), Number(1));
@@ -308,7 +308,7 @@ TEST(Automaton, OfManySymbolsHasAFewStatesEach) {
     ASSERT_TRUE(verdict.system);
     const std::vector<CellState> cells = cell_states(word, 3, Ends::Circular);
     // abcde; aabbc, abbcc; aabbb, abbbb, bbbbc, bbbcc; bbbbb.
-    EXPECT_EQ(make_automaton(*verdict.system, 3, cells, tests::many_states).state_count(), 8 * symbols);
+    EXPECT_EQ(make_automaton(*verdict.system, 3, cells, max_states).state_count(), 8 * symbols);
 }
 
 } // namespace

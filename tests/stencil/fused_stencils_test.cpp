@@ -2,6 +2,7 @@
 
 #include "internode/stencil/fused_stencils.h"
 
+#include "internode/curve/knots.h"
 #include "tests/fixtures/interval_systems.h"
 #include "tests/fixtures/stride.h"
 
@@ -31,10 +32,7 @@ std::vector<CellState> some_cells(const IntervalSystem& system, int degree) {
     for (std::size_t i = 0; i < system.alphabet().size(); ++i)
         if (system.occurs(to_symbol(i))) word.insert(word.end(), 2, to_symbol(i));
     std::vector<CellState> cells = cell_states(word, degree, Ends::Circular);
-    Word clamped(static_cast<std::size_t>(degree), zero_interval);
-    clamped.insert(clamped.end(), word.begin(), word.end());
-    clamped.insert(clamped.end(), static_cast<std::size_t>(degree), zero_interval);
-    const std::vector<CellState> ends = cell_states(clamped, degree, Ends::Open);
+    const std::vector<CellState> ends = cell_states(clamped(word, degree), degree, Ends::Open);
     cells.insert(cells.end(), ends.begin(), ends.end());
     return cells;
 }

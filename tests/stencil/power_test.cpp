@@ -3,12 +3,12 @@
 // The automaton of σ^k, applied once, is the automaton of σ applied k times: letter by letter, state by state and point
 // by point, exactly in K.
 
+#include "internode/curve/knots.h"
 #include "internode/stencil/automaton.h"
 #include "tests/fixtures/interval_systems.h"
 #include "tests/fixtures/small_grammars.h"
 #include "tests/fixtures/stride.h"
 #include "tests/reference/step_matrix.h"
-#include "tests/stencil/sample_words.h"
 
 #include <gmock/gmock.h>
 
@@ -50,11 +50,11 @@ Exact step(const StencilAutomaton& automaton, const Exact& old) {
 
 void expect_power_is_repetition(const IntervalSystem& system, const Word& word, int degree, Ends ends, int most = 3) {
     const std::vector<CellState> cells = cell_states(word, degree, ends);
-    const StencilAutomaton once = make_automaton(system, degree, cells, tests::many_states);
+    const StencilAutomaton once = make_automaton(system, degree, cells, max_states);
     Exact repeated = step(once, polygon(once, cells));
     for (int k = 2; k <= most; ++k) {
         repeated = step(once, repeated);
-        const StencilAutomaton several = make_automaton(power(system, k), degree, cells, tests::many_states);
+        const StencilAutomaton several = make_automaton(power(system, k), degree, cells, max_states);
         EXPECT_LE(several.state_count(), once.state_count());
         const Exact direct = step(several, polygon(several, cells));
         ASSERT_EQ(direct.points, repeated.points) << "degree " << degree << ", " << k << " steps";
@@ -82,8 +82,7 @@ void expect_power_is_repetition(const IntervalSystem& system, int degree, Shape 
     case Shape::Open:
         return expect_power_is_repetition(system, some_word(system, 2 * d + 2), degree, Ends::Open, most);
     case Shape::Clamped:
-        return expect_power_is_repetition(system, tests::clamped_word(some_word(system, 2), d), degree, Ends::Open,
-                                          most);
+        return expect_power_is_repetition(system, clamped(some_word(system, 2), degree), degree, Ends::Open, most);
     }
 }
 
@@ -145,9 +144,9 @@ TEST(Power, HasTheProductOfTheStepMatrices) {
 
 TEST(Automaton, AnswersQuestionsAboutItsRows) {
     const IntervalSystem fibonacci = tests::system_of("L->SL, S->L");
-    const Word word = tests::clamped_word(tests::word_of(fibonacci, "LSLLSLSL"), 3);
+    const Word word = clamped(tests::word_of(fibonacci, "LSLLSLSL"), 3);
     const std::vector<CellState> cells = cell_states(word, 3, Ends::Open);
-    const StencilAutomaton automaton = make_automaton(fibonacci, 3, cells, tests::many_states);
+    const StencilAutomaton automaton = make_automaton(fibonacci, 3, cells, max_states);
     std::vector<Word> windows;
     for (std::uint32_t state = 0; state < automaton.state_count(); ++state) {
         const Word& window = automaton.state(state).window;

@@ -296,10 +296,10 @@ std::optional<FusedStencils> fuse(const StencilAutomaton& automaton, const Inter
     for (int step = 0; step < steps; ++step) add_generation(automaton, table);
     keep(wanted, table);
     table.weights.reserve(table.row_count() * table.width);
-    const bool has_exact = steps == 1 && automaton.row_count() > 0;
-    const Fusion fusion(automaton, system, steps);
+    std::optional<Fusion> fusion;
+    if (steps > 1 || automaton.row_count() == 0) fusion.emplace(automaton, system, steps);
     for (std::uint32_t state = 0; state < automaton.state_count(); ++state) {
-        if (table.rows(state) == 0 || (!has_exact && fusion.add_rows(state, table))) continue;
+        if (table.rows(state) == 0 || (fusion && fusion->add_rows(state, table))) continue;
         if (steps > 1) return std::nullopt;
         add_exact_rows(automaton, system, state, table);
     }

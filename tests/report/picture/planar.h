@@ -4,15 +4,13 @@
 
 #pragma once
 
-#include "internode/curve/refinement.h"
 #include "internode/report/picture/curve_picture.h"
+#include "tests/curve/frames.h"
 
 namespace internode::testing_report {
 
 inline PlanarCurve planar_of(const Curve& coarse, int steps, PictureAxes axes = {}) {
-    Refinement refinement(coarse);
-    refinement.advance(steps);
-    return planar_curve(coarse, refinement, axes);
+    return planar_curve(coarse, tests::refined(coarse, steps), axes);
 }
 
 } // namespace internode::testing_report

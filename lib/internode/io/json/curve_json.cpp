@@ -62,14 +62,8 @@ void write_points(JsonWriter& json, const CurveDocument& curve) {
     const std::size_t dimension = curve.points.dimension - (curve.weighted ? 1 : 0);
     assert(dimension >= 1);
     json.key("points").begin_array();
-    json.values(curve.points.size(), curve.threads, [&](std::size_t row, std::string& text) {
-        const std::span<const double> point = curve.points[row].first(dimension);
-        for (std::size_t i = 0; i < dimension; ++i) {
-            text += i == 0 ? "[" : ", ";
-            append(text, point[i]);
-        }
-        text += ']';
-    });
+    json.values(curve.points.size(), curve.threads,
+                [&](std::size_t row, std::string& text) { append_array(text, curve.points[row].first(dimension)); });
     json.end_array();
 }
 

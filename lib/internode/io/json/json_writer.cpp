@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <utility>
 
 namespace internode {
 
@@ -85,6 +86,15 @@ std::string json_quoted(std::string_view text) {
     return quoted;
 }
 
+void append_array(std::string& text, std::span<const double> numbers) {
+    text += '[';
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (i > 0) text += ", ";
+        append(text, numbers[i]);
+    }
+    text += ']';
+}
+
 JsonWriter::JsonWriter(Sink& sink)
     : sink_(sink) {}
 
@@ -142,10 +152,10 @@ JsonWriter& JsonWriter::values(std::size_t count, int threads,
                                const std::function<void(std::size_t i, std::string& text)>& append_value) {
     assert(!open_.empty() && !open_.back().is_object);
     if (count == 0) return *this;
-    before_entry(); // of the first value; what stands before the others is the same with a comma
+    before_entry();
     drain(0);
-    const bool in_line = open_.back().layout == Layout::Line;
-    const std::string between = in_line ? ", " : ",\n" + std::string(2 * open_.size(), ' ');
+    before_entry();
+    const std::string between = std::exchange(buffer_, {});
     good_ = write_lines(sink_, count, threads,
                         [&](std::size_t i, std::string& text) {
                             if (i > 0) text += between;

@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,9 @@ namespace internode {
 
 /// The text between quotes that stands for `text` in JSON, quotes included.
 [[nodiscard]] std::string json_quoted(std::string_view text);
+
+/// Appends the numbers as an array on one line: [1, 2.5]. \throw std::invalid_argument as JsonWriter::number
+void append_array(std::string& text, std::span<const double> numbers);
 
 class JsonWriter {
 public:

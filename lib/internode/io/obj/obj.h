@@ -20,8 +20,8 @@ inline constexpr std::size_t max_obj_dimension = 3;
 /// Writes all points; false if the sink failed. A circular polygon ends at its first index; a lone point is a `p`. The
 /// polyline is cut into `l` lines of at most 256 indices, each beginning where the one before ended. `comments` come
 /// first, a line each, `# ` before them. \throw std::invalid_argument for more than three dimensions, rows that are not
-/// whole and numbers that are not finite. `before` vertices stand in the file already: the polygon of another call. So
-/// many threads make the lines of the vertices; 0: as many as the machine has.
+/// whole and numbers that are not finite. `before` vertices stand in the file already: the polygon of another call.
+/// `threads` make the lines of the vertices, 0: as many as the machine has.
 bool write_obj(Sink& sink, const PointsView& points, Ends ends, std::span<const std::string> comments = {},
                std::size_t before = 0, int threads = 1);
 
