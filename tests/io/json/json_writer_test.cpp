@@ -97,5 +97,26 @@ TEST(JsonWriter, SaysThatItsSinkHasFailed) {
     EXPECT_FALSE(json.finish());
 }
 
+TEST(JsonWriter, ManyValuesAreThoseOfOneAfterAnother) {
+    for (const JsonWriter::Layout layout : {JsonWriter::Layout::Block, line})
+        for (const std::size_t count : {0U, 1U, 2U, 1024U, 1025U, 3000U}) {
+            StringSink expected;
+            JsonWriter one_by_one(expected);
+            one_by_one.begin_object().key("a").begin_array(layout).boolean(true);
+            for (std::size_t i = 0; i < count; ++i) one_by_one.integer(i);
+            one_by_one.null().end_array().end_object();
+            ASSERT_TRUE(one_by_one.finish());
+            for (const int threads : {1, 2, 0}) {
+                StringSink sink;
+                JsonWriter together(sink);
+                together.begin_object().key("a").begin_array(layout).boolean(true);
+                together.values(count, threads, [](std::size_t i, std::string& text) { text += std::to_string(i); });
+                together.null().end_array().end_object();
+                ASSERT_TRUE(together.finish());
+                EXPECT_EQ(sink.text(), expected.text()) << count << " values, " << threads << " threads";
+            }
+        }
+}
+
 } // namespace
 } // namespace internode
