@@ -8,6 +8,7 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
+#include <vector>
 
 namespace internode {
 namespace {
@@ -36,21 +37,28 @@ bool for_each_text(std::size_t count, int threads, const std::function<std::stri
             if (!take(make(i))) return false;
         return true;
     }
+    tbb::task_arena arena(concurrency(threads));
+    const auto ahead = 2 * static_cast<std::size_t>(arena.max_concurrency());
+    // Texts stand in slots and numbers travel: what is under way when an exception ends a pipeline is not destroyed.
+    // At most `ahead` are under way, and they leave in order, so that a slot is empty when its turn comes again.
+    std::vector<std::string> slots(ahead);
     std::atomic<bool> is_taken = true;
     std::size_t next = 0;
     const auto number = [&](tbb::flow_control& control) {
         if (next == count || !is_taken) control.stop();
         return next++;
     };
-    const auto pass = [&](const std::string& text) {
-        if (is_taken && !take(text)) is_taken = false;
+    const auto fill = [&](std::size_t i) {
+        slots[i % ahead] = make(i);
+        return i;
     };
-    tbb::task_arena arena(concurrency(threads));
-    const auto ahead = 2 * static_cast<std::size_t>(arena.max_concurrency());
+    const auto pass = [&](std::size_t i) {
+        if (is_taken && !take(slots[i % ahead])) is_taken = false;
+    };
     arena.execute([&] {
         tbb::parallel_pipeline(ahead, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, number) &
-                                          tbb::make_filter<std::size_t, std::string>(tbb::filter_mode::parallel, make) &
-                                          tbb::make_filter<std::string, void>(tbb::filter_mode::serial_in_order, pass));
+                                          tbb::make_filter<std::size_t, std::size_t>(tbb::filter_mode::parallel, fill) &
+                                          tbb::make_filter<std::size_t, void>(tbb::filter_mode::serial_in_order, pass));
     });
     return is_taken;
 }
