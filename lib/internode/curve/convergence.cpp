@@ -117,17 +117,19 @@ Convergence measure_convergence(const Curve& curve, const ConvergenceOptions& op
     result.expected_ratio = pow(system.ratio(), -2);
     result.constant = largest_polygon_constant(system, curve.degree());
 
-    Refinement refinement(curve);
     result.steps.push_back(measured_step(curve, 0));
-    for (int step = 1; step <= options.steps; ++step) {
-        refinement.step();
-        result.steps.push_back(measured_step(refinement.curve(), step));
+    {
+        Refinement refinement(curve);
+        for (int step = 1; step <= options.steps; ++step) {
+            refinement.step();
+            result.steps.push_back(measured_step(refinement.curve(), step));
+        }
+        if (options.tolerance)
+            result.depth = depth_for(*options.tolerance, std::move(refinement), result.steps, options,
+                                     result.expected_ratio.to_double());
     }
     fill_ratios(result.steps, std::max<std::size_t>(system.period(), 1));
     result.bisection = bisected(curve, result.steps.back().points, options.max_points);
-    if (options.tolerance)
-        result.depth = depth_for(*options.tolerance, std::move(refinement), result.steps, options,
-                                 result.expected_ratio.to_double());
     return result;
 }
 

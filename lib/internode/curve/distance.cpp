@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The β_i of an interval depend on its window alone: tables of them are kept by window. A sum with their largest
-// coefficients passes most intervals over. In the others both polynomials are halved until the hull of their control
-// points is hardly above what some end of a piece attains.
+// The β_i of an interval depend on its window alone: tables of them are kept by window, and each knows the one that a
+// letter more leads to. A sum with their largest coefficients passes most intervals over. In the others both
+// polynomials are halved until the hull of their control points is hardly above what some end of a piece attains. Slope
+// jumps are made by the stretch, once for their scale and once for the search, and never kept.
 
 #include "internode/curve/distance.h"
 
@@ -36,14 +37,15 @@ double power_of_two_below(double value) {
     return std::ldexp(1.0, exponent - 1);
 }
 
-/// Divides all values by a power of two so that the largest is in [1, 2) in magnitude. Returns that power; 0 for zeros.
-double normalise(std::vector<double>& values) {
+double largest_of(std::span<const double> values) {
     double largest = 0;
     for (const double value : values) largest = std::max(largest, std::abs(value));
-    if (largest == 0) return 0;
-    const double scale = power_of_two_below(largest);
-    for (double& value : values) value /= scale;
-    return scale;
+    return largest;
+}
+
+/// The power of two that brings all values below 2 and the largest to 1 or above; 0 for zeros.
+double scale_of(double largest) {
+    return largest == 0 ? 0 : power_of_two_below(largest);
 }
 
 double norm(const double* vector, std::size_t dimension) {
@@ -150,41 +152,80 @@ struct Wrap {
     std::size_t operator()(std::size_t index) const { return closed ? index % size : index; }
 };
 
-/// The slope jumps D_i of the polygon, N rows. Rows that no piece uses (the ends of an open curve, the two sides of a
-/// break) stay 0.
-std::vector<double> slope_jumps(const Curve& curve, const std::vector<double>& points, const LetterLengths& lengths) {
-    const auto degree = static_cast<std::size_t>(curve.degree());
-    const std::size_t size = curve.size();
-    const std::size_t dimension = curve.dimension();
-    const Word& word = curve.word();
-    const bool closed = curve.ends() == Ends::Circular;
-    // ξ_{k+1} - ξ_k = (t_{k+d+1} - t_{k+1}) / d, a sum of d lengths.
-    const auto gap = [&](std::size_t k) {
-        double sum = 0;
-        for (std::size_t i = 1; i <= degree; ++i) sum += lengths[word[(k + i) % word.size()]];
-        return sum / curve.degree();
-    };
-    assert(points.size() == size * dimension);
-    std::vector<double> jumps(points.size());
-    for (std::size_t i = closed ? 0 : 1; i + (closed ? 0 : 1) < size; ++i) {
-        const std::size_t before = i == 0 ? size - 1 : i - 1;
-        const std::size_t after = i + 1 == size ? 0 : i + 1;
-        const double left = gap(before);
-        const double right = gap(i);
-        if (left == 0 || right == 0) continue;
-        for (std::size_t c = 0; c < dimension; ++c) {
-            const double v = points[i * dimension + c];
-            jumps[i * dimension + c] =
-                (points[after * dimension + c] - v) / right - (v - points[before * dimension + c]) / left;
+/// The slope jumps D_i of the polygon of a curve whose points are divided by `point_scale`. Rows that no piece uses
+/// (the ends of an open curve, the two sides of a break) are 0.
+class SlopeJumps {
+public:
+    SlopeJumps(const Curve& curve, const LetterLengths& lengths, double point_scale)
+        : curve_(curve)
+        , lengths_(lengths)
+        , point_scale_(point_scale)
+        , first_(curve.ends() == Ends::Circular ? 0 : 1)
+        , end_(curve.size() - first_) {}
+
+    /// Rows first … first + count - 1, modulo N, divided by `scale`; `rows` has as many times the dimension numbers.
+    void put(std::size_t first, double scale, std::span<double> rows) const {
+        const std::size_t dimension = curve_.dimension();
+        assert(rows.size() % dimension == 0);
+        std::size_t i = first % curve_.size();
+        double left = gap(i == 0 ? curve_.size() - 1 : i - 1);
+        for (double* row = rows.data(); row != rows.data() + rows.size(); row += dimension) {
+            const double right = gap(i);
+            put_row(i, left, right, row);
+            for (std::size_t c = 0; c < dimension; ++c) row[c] /= scale;
+            left = right;
+            if (++i == curve_.size()) i = 0;
         }
     }
-    return jumps;
-}
 
-std::vector<double> norms(const std::vector<double>& rows, std::size_t dimension) {
-    std::vector<double> sizes(rows.size() / dimension);
-    for (std::size_t i = 0; i < sizes.size(); ++i) sizes[i] = norm(rows.data() + i * dimension, dimension);
-    return sizes;
+private:
+    /// ξ_{k+1} - ξ_k = (t_{k+d+1} - t_{k+1}) / d, a sum of d lengths.
+    [[nodiscard]] double gap(std::size_t k) const {
+        const Word& word = curve_.word();
+        const auto degree = static_cast<std::size_t>(curve_.degree());
+        double sum = 0;
+        std::size_t letter = k;
+        for (std::size_t i = 1; i <= degree; ++i) {
+            if (++letter >= word.size()) letter -= word.size();
+            sum += lengths_[word[letter]];
+        }
+        return sum / curve_.degree();
+    }
+
+    void put_row(std::size_t i, double left, double right, double* row) const {
+        const std::size_t dimension = curve_.dimension();
+        if (i < first_ || i >= end_ || left == 0 || right == 0) {
+            std::fill_n(row, dimension, 0);
+            return;
+        }
+        const double* const at = curve_.points().data() + i * dimension;
+        const double* const before = i == 0 ? curve_.points().data() + (curve_.size() - 1) * dimension : at - dimension;
+        const double* const after = i + 1 == curve_.size() ? curve_.points().data() : at + dimension;
+        for (std::size_t c = 0; c < dimension; ++c) {
+            const double v = at[c] / point_scale_;
+            row[c] = (after[c] / point_scale_ - v) / right - (v - before[c] / point_scale_) / left;
+        }
+    }
+
+    const Curve& curve_;
+    const LetterLengths& lengths_;
+    double point_scale_;
+    std::size_t first_; ///< rows first_ … end_ - 1 are jumps
+    std::size_t end_;
+};
+
+/// Intervals looked at together: their jumps stay in a first cache.
+constexpr std::size_t stretch_size = 256;
+
+double largest_jump(const Curve& curve, const SlopeJumps& jumps) {
+    std::vector<double> rows;
+    double largest = 0;
+    for (std::size_t first = 0; first < curve.size(); first += stretch_size) {
+        rows.resize(std::min(stretch_size, curve.size() - first) * curve.dimension());
+        jumps.put(first, 1, rows);
+        largest = std::max(largest, largest_of(rows));
+    }
+    return largest;
 }
 
 /// Both searches over every piece of the curve: Σ D_i β_i and Σ ‖D_i‖ β_i.
@@ -198,18 +239,10 @@ public:
         , error_(degree_, curve.dimension())
         , envelope_(degree_, 1) {}
 
-    void run(const std::vector<double>& jumps, const std::vector<double>& sizes) {
-        const std::size_t first = wrap_.closed ? 0 : degree_;
-        assert(sizes.size() == curve_.size() && jumps.size() == sizes.size() * curve_.dimension());
-        for (std::size_t j = first; j < curve_.size(); ++j) {
-            if (curve_.word()[j] == zero_interval) continue;
-            const Table& near = table(j);
-            if (reach(near, j, sizes) <= std::min(error_.attained(), envelope_.attained())) continue;
-            for (const DeviationPiece& piece : near.pieces) {
-                error_.add(combination(piece, j, jumps, curve_.dimension()));
-                envelope_.add(combination(piece, j, sizes, 1));
-            }
-        }
+    /// Of slope jumps divided by `scale`.
+    void run(const SlopeJumps& jumps, double scale) {
+        for (std::size_t first = wrap_.closed ? 0 : degree_; first < curve_.size(); first += stretch_size)
+            run_stretch(first, std::min(first + stretch_size, curve_.size()), jumps, scale);
     }
     [[nodiscard]] const Supremum& error() const { return error_; }
     [[nodiscard]] const Supremum& envelope() const { return envelope_; }
@@ -218,7 +251,24 @@ private:
     struct Table {
         std::vector<DeviationPiece> pieces;
         std::vector<double> largest; ///< the largest Bernstein coefficient of each β_i over the pieces
+        std::vector<Table*> next; ///< the table of the window one letter on, by that letter, `0` last; null: not asked
     };
+
+    void run_stretch(std::size_t begin, std::size_t end, const SlopeJumps& jumps, double scale) {
+        const std::size_t dimension = curve_.dimension();
+        jumps_.resize((end - begin + degree_ - 2) * dimension);
+        jumps.put(first_place(begin), scale, jumps_);
+        sizes_.resize(jumps_.size() / dimension);
+        for (std::size_t i = 0; i < sizes_.size(); ++i) sizes_[i] = norm(jumps_.data() + i * dimension, dimension);
+        for (std::size_t j = begin; j < end; ++j) {
+            const Table& near = table(j);
+            if (reach(near, j - begin) <= std::min(error_.attained(), envelope_.attained())) continue;
+            for (const DeviationPiece& piece : near.pieces) {
+                error_.add(combination(piece, jumps_.data() + (j - begin) * dimension, dimension));
+                envelope_.add(combination(piece, sizes_.data() + (j - begin), 1));
+            }
+        }
+    }
 
     /// Place j - d + 1: of the window's first letter, and of the first slope jump. Kept non-negative by whole turns of
     /// a closed word.
@@ -227,19 +277,34 @@ private:
         return wrap_.closed ? j + 1 + (degree_ * wrap_.size - degree_) : j + 1 - degree_;
     }
 
-    /// A bound on envelope and error over interval j, at the cost of one sum.
-    [[nodiscard]] double reach(const Table& near, std::size_t j, const std::vector<double>& sizes) const {
+    /// A bound on envelope and error over an interval of the stretch, at the cost of one sum.
+    [[nodiscard]] double reach(const Table& near, std::size_t place) const {
         double sum = 0;
-        for (std::size_t i = 0; i + 1 < degree_; ++i) sum += near.largest[i] * sizes[wrap_(first_place(j) + i)];
+        for (std::size_t i = 0; i + 1 < degree_; ++i) sum += near.largest[i] * sizes_[place + i];
         return sum * (1 + rounding_margin);
     }
 
+    /// The table of interval j, which follows the one asked for before it.
     const Table& table(std::size_t j) {
+        if (last_ == nullptr) return *(last_ = &found_table(j));
+        const Symbol letter = curve_.word()[wrap_(first_place(j) + 2 * degree_ - 2)];
+        const std::size_t choice = letter == zero_interval ? last_->next.size() - 1 : to_index(letter);
+        Table*& next = last_->next[choice];
+        if (next == nullptr) {
+            if (tables_.size() > table_limit) {
+                tables_.clear();
+                return *(last_ = &found_table(j));
+            }
+            next = &found_table(j);
+        }
+        return *(last_ = next);
+    }
+
+    Table& found_table(std::size_t j) {
         const Word& word = curve_.word();
         window_.resize(2 * degree_ - 1);
         const std::size_t first = first_place(j);
         for (std::size_t i = 0; i < window_.size(); ++i) window_[i] = word[wrap_(first + i)];
-        if (tables_.size() > table_limit) tables_.clear();
         const auto [place, is_new] = tables_.try_emplace(window_);
         if (is_new) {
             std::vector<double> local;
@@ -251,7 +316,10 @@ private:
 
     [[nodiscard]] Table make_table(const std::vector<double>& lengths) const {
         assert(lengths.size() == 2 * degree_ - 1);
-        Table result{deviation_pieces(lengths), std::vector<double>(degree_ - 1)};
+        Table result;
+        result.largest.resize(degree_ - 1);
+        result.next.resize(curve_.system().alphabet().size() + 1);
+        if (lengths[degree_ - 1] > 0) result.pieces = deviation_pieces(lengths); // an empty interval has none
         for (const DeviationPiece& piece : result.pieces)
             for (std::size_t k = 0; k < piece.coefficients.size(); ++k) {
                 double& largest = result.largest[k % (degree_ - 1)];
@@ -260,15 +328,14 @@ private:
         return result;
     }
 
-    /// Bernstein coefficients Σ_i β_i D_i over one piece of interval j; D_i are rows of `dimension` numbers.
-    const std::vector<double>& combination(const DeviationPiece& piece, std::size_t j, const std::vector<double>& rows,
-                                           std::size_t dimension) {
+    /// Bernstein coefficients Σ_i β_i D_i over one piece of an interval; D_i are rows of `dimension` numbers, from the
+    /// first that counts there.
+    const std::vector<double>& combination(const DeviationPiece& piece, const double* rows, std::size_t dimension) {
         coefficients_.assign((degree_ + 1) * dimension, 0);
-        const std::size_t first = first_place(j);
         for (std::size_t b = 0; b <= degree_; ++b)
             for (std::size_t i = 0; i + 1 < degree_; ++i) {
                 const double weight = piece.coefficients[b * (degree_ - 1) + i];
-                const double* row = rows.data() + wrap_(first + i) * dimension;
+                const double* row = rows + i * dimension;
                 for (std::size_t c = 0; c < dimension; ++c) coefficients_[b * dimension + c] += weight * row[c];
             }
         return coefficients_;
@@ -281,8 +348,11 @@ private:
     Supremum error_;
     Supremum envelope_;
     Word window_;
+    std::vector<double> jumps_; ///< of the stretch, from place j - d + 1 of its first interval on
+    std::vector<double> sizes_; ///< their norms
     std::vector<double> coefficients_;
     std::unordered_map<Word, Table, WordHash> tables_;
+    Table* last_ = nullptr;
 };
 
 } // namespace
@@ -293,15 +363,14 @@ PolygonDistance polygon_distance(const Curve& curve) {
     // The distance does not depend on the scale of the parameter: the lengths of step 0 serve every step. Powers of two
     // keep differences and squares of extreme coordinates finite and cost no digit.
     const LetterLengths lengths(curve);
-    std::vector<double> points = curve.points();
-    const double point_scale = normalise(points);
+    const double point_scale = scale_of(largest_of(curve.points()));
     if (point_scale == 0) return distance;
-    std::vector<double> jumps = slope_jumps(curve, points, lengths);
-    const double jump_scale = normalise(jumps);
+    const SlopeJumps jumps(curve, lengths, point_scale);
+    const double jump_scale = scale_of(largest_jump(curve, jumps));
     if (jump_scale == 0) return distance;
 
     Search search(curve, lengths);
-    search.run(jumps, norms(jumps, curve.dimension()));
+    search.run(jumps, jump_scale);
     const auto scaled = [&](double value) { return value * jump_scale * point_scale; };
     distance.error = scaled(search.error().attained());
     distance.error_bound = scaled(search.error().bound() * (1 + rounding_margin));
