@@ -105,6 +105,7 @@ CommandLine CommandReader::read(int argc, const char* const* argv) {
     }
     if (color_ != "auto") common_.color = color_ == "always" ? Color::Always : Color::Never;
     common_.apply.threads = static_cast<int>(std::min<std::uint64_t>(threads_, max_threads));
+    subdivide_.polygon.threads = common_.apply.threads;
     common_.apply.isa = isa_of_environment();
     common_.apply.stores = stores_of_environment();
     common_.command_line = public_command_line(argc, argv);

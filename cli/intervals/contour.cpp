@@ -11,7 +11,8 @@ namespace internode::cli {
 
 SettledContour load_contour(const IntervalSystem& system, const ReverseOptions& options) {
     const LoadedText input = load_text(options.polygon.place);
-    const InputPolygon polygon = value_of(polygon_of_file(input.text, input.source, options.polygon.element));
+    const InputPolygon polygon =
+        value_of(polygon_of_file(input.text, input.source, options.polygon.element, options.polygon.threads));
     return value_of(settle_contour(system, polygon,
                                    {.curve = curve_options(options.polygon),
                                     .levels = options.levels,

@@ -23,12 +23,13 @@ InputPolygon weighted(InputPolygon polygon, const PolygonOptions& options) {
 
 InputPolygon load_polygon(const PolygonOptions& options) {
     const LoadedText input = load_text(options.place);
-    return weighted(value_of(polygon_of_file(input.text, input.source, options.element)), options);
+    return weighted(value_of(polygon_of_file(input.text, input.source, options.element, options.threads)), options);
 }
 
 std::vector<InputPolygon> load_polygons(const PolygonOptions& options) {
     const LoadedText input = load_text(options.place);
-    std::vector<InputPolygon> polygons = value_of(polygons_of_file(input.text, input.source, options.element));
+    std::vector<InputPolygon> polygons =
+        value_of(polygons_of_file(input.text, input.source, options.element, options.threads));
     for (InputPolygon& polygon : polygons) polygon = weighted(std::move(polygon), options);
     return polygons;
 }
@@ -45,7 +46,8 @@ CurveOptions curve_options(const PolygonOptions& options) {
 std::vector<SettledCurve> load_curves(const IntervalSystem& system, const PolygonOptions& options) {
     const LoadedText input = load_text(options.place);
     std::vector<SettledCurve> curves;
-    for (const InputPolygon& polygon : value_of(polygons_of_file(input.text, input.source, options.element))) {
+    for (const InputPolygon& polygon :
+         value_of(polygons_of_file(input.text, input.source, options.element, options.threads))) {
         Settled<SettledCurve> curve = settle_curve(system, polygon, curve_options(options));
         if (!curve.value) throw failure(placed(std::move(curve.refusal), polygon));
         curves.push_back(*std::move(curve.value));
@@ -55,8 +57,9 @@ std::vector<SettledCurve> load_curves(const IntervalSystem& system, const Polygo
 
 SettledCurve load_polynomial_curve(const IntervalSystem& system, const PolygonOptions& options) {
     const LoadedText input = load_text(options.place);
-    SettledCurve loaded = value_of(settle_curve(
-        system, value_of(polygon_of_file(input.text, input.source, options.element)), curve_options(options)));
+    SettledCurve loaded = value_of(
+        settle_curve(system, value_of(polygon_of_file(input.text, input.source, options.element, options.threads)),
+                     curve_options(options)));
     if (loaded.coordinates == Coordinates::Homogeneous)
         throw failure(ExitCode::Refused, fmt::format("the points of {} have weights: this command measures polynomial "
                                                      "curves",

@@ -90,6 +90,7 @@ struct PolygonOptions {
     EndsOption ends = EndsOption::Unsaid;
     bool rational = false; ///< --rational: the last coordinate is the weight
     std::uint64_t max_points = 100'000'000;
+    int threads = 0; ///< that read the file; 0: all
 };
 
 /// One direction of a grid.

@@ -2,10 +2,14 @@
 
 #include "internode/io/file/limits.h"
 #include "internode/io/polygon.h"
+#include "internode/text/number.h"
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
+#include <random>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 
@@ -102,6 +106,54 @@ TEST(PolygonCsv, RefusesAPartWithoutPoints) {
     const Diagnostic second = refusal("0,0\n\n1,1\n");
     EXPECT_EQ(second.line, 3U);
     EXPECT_THAT(second.message, HasSubstr("a second polygon"));
+}
+
+/// Enough lines for several windows; `odd` of them, spread unevenly, are what a run of points must stop at.
+std::string long_text(std::size_t lines, std::size_t odd, bool quoted) {
+    std::mt19937_64 random(7);
+    std::string text = "x,y\n";
+    for (std::size_t i = 0; i < lines; ++i) {
+        const std::string x = to_string(static_cast<double>(random()) * 0x1p-64);
+        const std::string y = to_string(-static_cast<double>(random()) * 0x1p-70);
+        text += quoted ? '"' + x + "\", \"" + y + "\"\n" : x + ", " + y + (i % 5 == 0 ? "\r\n" : "\n");
+        if (odd == 0 || random() % (lines / odd) != 0) continue;
+        constexpr std::string_view kinds[] = {"# a comment\n", "\n", "> a part\n", "\"1\", 2\n", " \t 3 ,4\n"};
+        text += kinds[random() % std::size(kinds)];
+    }
+    return text;
+}
+
+TEST(PolygonCsv, ReadsLongRunsOfPointsLikeSingleLines) {
+    for (const std::size_t odd : {0U, 1U, 9U, 3'000U})
+        for (const std::size_t lines : {6'000U, 60'000U}) {
+            const std::vector<InputPolygon> expected =
+                parts(long_text(lines, odd, true) + "0,0\n"); // quotes stop every run
+            const std::string text = long_text(lines, odd, false) + "0,0\n";
+            for (const int threads : {1, 2, 0}) {
+                const ParsedPolygons read = read_polygons_csv(text, "p.csv", threads);
+                ASSERT_EQ(read.polygons.size(), expected.size()) << odd << " odd lines, " << threads << " threads";
+                for (std::size_t i = 0; i < expected.size(); ++i) {
+                    EXPECT_EQ(read.polygons[i].points, expected[i].points);
+                    EXPECT_EQ(read.polygons[i].line, expected[i].line);
+                    EXPECT_EQ(read.polygons[i].break_text, expected[i].break_text);
+                }
+            }
+        }
+}
+
+TEST(PolygonCsv, FindsTheFaultBehindALongRun) {
+    const std::string points = long_text(40'000, 0, false);
+    const std::pair<std::string_view, std::string_view> faults[] = {{"1,2,3", "3 coordinates"},
+                                                                    {"1,2,x", "3 coordinates"},
+                                                                    {"1", "1 coordinate,"},
+                                                                    {"1,x", "`x`"},
+                                                                    {"1,", "an empty field"}};
+    for (const auto& [line, message] : faults) {
+        const ParsedPolygons read = read_polygons_csv(points + std::string(line) + "\n5,6\n", "p.csv", 2);
+        ASSERT_EQ(read.errors.size(), 1U) << line;
+        EXPECT_EQ(read.errors.front().line, 40'002U);
+        EXPECT_THAT(read.errors.front().message, HasSubstr(message));
+    }
 }
 
 TEST(PolygonCsv, KeepsNumbersBitForBit) {

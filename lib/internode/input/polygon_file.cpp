@@ -64,9 +64,9 @@ std::vector<InputPolygon> free_form_polygons(std::string_view text, std::string_
     return polygons;
 }
 
-std::vector<InputPolygon> parts(std::string_view text, std::string_view source, Element element) {
+std::vector<InputPolygon> parts(std::string_view text, std::string_view source, Element element, int threads) {
     const bool polylines = is_obj(text, source);
-    ParsedPolygons parsed = polylines ? read_obj_polylines(text, source) : read_polygons(text, source);
+    ParsedPolygons parsed = polylines ? read_obj_polylines(text, source) : read_polygons(text, source, threads);
     if (parsed.polygons.empty()) refuse(std::move(parsed.errors));
     if (!element) return std::move(parsed.polygons);
     InputPolygon& one = parsed.polygons[place_of_element(*element, parsed.polygons.size(), std::string(source))];
@@ -82,16 +82,17 @@ bool is_obj(std::string_view text, std::string_view source) {
     return source.ends_with(".obj") || source.ends_with(".OBJ") || looks_like_obj(text);
 }
 
-Settled<std::vector<InputPolygon>> polygons_of_file(std::string_view text, std::string_view source, Element element) {
+Settled<std::vector<InputPolygon>> polygons_of_file(std::string_view text, std::string_view source, Element element,
+                                                    int threads) {
     return settled([&] {
         const bool free_form = is_obj(text, source) && !has_only_polylines(text);
-        return free_form ? free_form_polygons(text, source, element) : parts(text, source, element);
+        return free_form ? free_form_polygons(text, source, element) : parts(text, source, element, threads);
     });
 }
 
-Settled<InputPolygon> polygon_of_file(std::string_view text, std::string_view source, Element element) {
+Settled<InputPolygon> polygon_of_file(std::string_view text, std::string_view source, Element element, int threads) {
     return settled([&] {
-        std::vector<InputPolygon> polygons = take(polygons_of_file(text, source, element));
+        std::vector<InputPolygon> polygons = take(polygons_of_file(text, source, element, threads));
         if (polygons.size() > 1)
             refuse(fmt::format("{} has {} polygons, where one is meant", source, polygons.size()),
                    fmt::format("say which: --element 1 … {}", polygons.size()));

@@ -19,13 +19,15 @@ namespace internode {
 [[nodiscard]] bool is_obj(std::string_view text, std::string_view source);
 
 /// All polygons in the order of the file, or the one that `element` says, from 1: curves of free form or polylines of
-/// OBJ, parts of CSV, the curves of "internode-curves". Cost: linear in the text.
+/// OBJ, parts of CSV, the curves of "internode-curves". `threads` read a CSV, 0: as many as the machine has. Cost:
+/// linear in the text.
 [[nodiscard]] Settled<std::vector<InputPolygon>> polygons_of_file(std::string_view text, std::string_view source,
-                                                                  std::optional<std::uint64_t> element = {});
+                                                                  std::optional<std::uint64_t> element = {},
+                                                                  int threads = 1);
 
 /// The only polygon, or the one that `element` says.
 [[nodiscard]] Settled<InputPolygon> polygon_of_file(std::string_view text, std::string_view source,
-                                                    std::optional<std::uint64_t> element = {});
+                                                    std::optional<std::uint64_t> element = {}, int threads = 1);
 
 /// The grid of "internode-grid", or the only surface of OBJ, or the one that `element` says.
 [[nodiscard]] Settled<InputGrid> grid_of_file(std::string_view text, std::string_view source,

@@ -27,8 +27,8 @@ ParsedPolygon only_one(ParsedPolygons parsed) {
 
 } // namespace
 
-ParsedPolygons read_polygons(std::string_view text, std::string_view source) {
-    return is_json(text) ? read_polygons_json(text, source) : read_polygons_csv(text, source);
+ParsedPolygons read_polygons(std::string_view text, std::string_view source, int threads) {
+    return is_json(text) ? read_polygons_json(text, source) : read_polygons_csv(text, source, threads);
 }
 
 ParsedPolygon read_polygon_csv(std::string_view text, std::string_view source) {

@@ -69,11 +69,12 @@ struct ParsedPolygons {
 };
 
 /// Both never throw on any text (but std::bad_alloc). Cost: linear in the text.
-[[nodiscard]] ParsedPolygons read_polygons_csv(std::string_view text, std::string_view source);
+/// `threads` read long runs of points, 0: as many as the machine has; the result is the same.
+[[nodiscard]] ParsedPolygons read_polygons_csv(std::string_view text, std::string_view source, int threads = 1);
 [[nodiscard]] ParsedPolygons read_polygons_json(std::string_view text, std::string_view source);
 
 /// One of the two by the first character that is not blank: `{` or `[` begins JSON.
-[[nodiscard]] ParsedPolygons read_polygons(std::string_view text, std::string_view source);
+[[nodiscard]] ParsedPolygons read_polygons(std::string_view text, std::string_view source, int threads = 1);
 
 /// The same where one polygon is meant: a second one is an error at its place.
 [[nodiscard]] ParsedPolygon read_polygon_csv(std::string_view text, std::string_view source);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// One pass over the lines. A line that parts polygons is kept until the next point comes: that point begins a polygon
-// and takes the parting lines along, so that blank lines at both ends of a file say nothing.
+// Long runs of points are cut into windows, which are read side by side and taken in their order; a window is taken as
+// far as its lines are numbers and nothing else (PlainLines). What is left is read a line at a time. A line that parts
+// polygons is kept until the next point comes: that point begins a polygon and takes the parting lines along, so that
+// blank lines at both ends of a file say nothing.
 
 #include "internode/io/polygon.h"
 
 #include "internode/io/file/limits.h"
+#include "internode/stencil/parallel.h"
 #include "internode/text/number.h"
 #include "internode/text/utf8.h"
 
@@ -64,14 +67,66 @@ char separator_of(std::string_view line) {
     return line.find('\t') != std::string_view::npos ? '\t' : ',';
 }
 
+/// The lines at the front of a text that are points like those before, and no line that must be asked what it is.
+struct PlainLines {
+    std::vector<double> numbers;
+    std::size_t lines = 0;
+    std::size_t bytes = 0;
+};
+
+/// Whether a line is `dimension` numbers and nothing else; appends what it has read in any case.
+bool append_numbers(std::string_view line, char separator, std::size_t dimension, std::vector<double>& numbers) {
+    const std::string_view blanks = separator == '\t' ? " " : " \t";
+    std::size_t begin = 0;
+    for (std::size_t field = 0; field < dimension; ++field) {
+        if (begin > line.size()) return false;
+        const std::size_t end = std::min(line.find(separator, begin), line.size());
+        const std::optional<double> value = parse_double(trimmed(line.substr(begin, end - begin), blanks));
+        if (!value) return false;
+        numbers.push_back(*value);
+        begin = end + 1;
+    }
+    return begin > line.size();
+}
+
+/// Reads lines of `dimension` numbers up to the first line that is anything else.
+PlainLines plain_lines(std::string_view text, char separator, std::size_t dimension) {
+    PlainLines plain;
+    while (plain.bytes < text.size()) {
+        std::string_view line = text.substr(plain.bytes, text.find('\n', plain.bytes) - plain.bytes);
+        const std::size_t bytes = std::min(line.size() + 1, text.size() - plain.bytes);
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        if (!append_numbers(line, separator, dimension, plain.numbers)) break;
+        ++plain.lines;
+        plain.bytes += bytes;
+    }
+    plain.numbers.resize(plain.lines * dimension);
+    return plain;
+}
+
+/// A text in windows of whole lines.
+std::vector<std::string_view> windows_of(std::string_view text, std::size_t most) {
+    constexpr std::size_t size = std::size_t{1} << 18;
+    std::vector<std::string_view> windows;
+    while (!text.empty() && windows.size() < most) {
+        const std::size_t end = text.find('\n', std::min(size, text.size()));
+        windows.push_back(text.substr(0, end == std::string_view::npos ? end : end + 1));
+        text.remove_prefix(windows.back().size());
+    }
+    return windows;
+}
+
 class CsvReader {
 public:
-    CsvReader(std::string_view text, std::string_view source)
+    CsvReader(std::string_view text, std::string_view source, int threads)
         : text_(without_byte_order_mark(text))
-        , source_(source) {}
+        , source_(source)
+        , threads_(threads) {}
 
     ParsedPolygons read() && {
         while (!text_.empty() && errors_.size() < max_polygon_errors) {
+            if (begun_ && errors_.empty()) read_plain_lines();
+            if (text_.empty()) break;
             line_ = text_.substr(0, text_.find('\n'));
             text_.remove_prefix(std::min(line_.size() + 1, text_.size()));
             if (line_.ends_with('\r')) line_.remove_suffix(1);
@@ -86,6 +141,32 @@ public:
     }
 
 private:
+    /// Takes what lies before the next line that is no point, or before the end of the text. A run that ends early has
+    /// been read in vain beyond: the fewer windows are tried at once.
+    void read_plain_lines() {
+        std::size_t most = 1;
+        bool goes_on = true;
+        while (goes_on && !text_.empty()) {
+            const std::vector<std::string_view> windows = windows_of(text_, most);
+            std::vector<PlainLines> read(windows.size());
+            for_each_task(windows.size(), threads_,
+                          [&](std::size_t i) { read[i] = plain_lines(windows[i], separator_, dimension_); });
+            for (std::size_t i = 0; i < windows.size() && goes_on; ++i) {
+                take(read[i]);
+                goes_on = read[i].bytes == windows[i].size();
+            }
+            most = std::min<std::size_t>(2 * most, 64);
+        }
+    }
+
+    void take(const PlainLines& plain) {
+        assert(begun_ && plain.numbers.size() == plain.lines * dimension_);
+        std::vector<double>& points = polygons_.back().points;
+        points.insert(points.end(), plain.numbers.begin(), plain.numbers.end());
+        line_number_ += plain.lines;
+        text_.remove_prefix(plain.bytes);
+    }
+
     void read_line() {
         const std::string_view content = trimmed(line_, " \t");
         if (content.empty()) return read_blank();
@@ -246,6 +327,7 @@ private:
 
     std::string_view text_; ///< what is not read yet
     std::string_view source_;
+    int threads_;
     std::string_view line_;
     std::size_t line_number_ = 0;
     char separator_ = '\0'; ///< none before the first line with content
@@ -262,8 +344,8 @@ private:
 
 } // namespace
 
-ParsedPolygons read_polygons_csv(std::string_view text, std::string_view source) {
-    return CsvReader(text, source).read();
+ParsedPolygons read_polygons_csv(std::string_view text, std::string_view source, int threads) {
+    return CsvReader(text, source, threads).read();
 }
 
 } // namespace internode
