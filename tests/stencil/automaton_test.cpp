@@ -12,7 +12,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <numeric>
+#include <optional>
 #include <set>
 
 namespace internode {
@@ -95,6 +97,54 @@ TEST(CellStates, RefuseWordsThatDoNotFit) {
     EXPECT_THROW((void)states("LL0LLL", 2, Ends::Open), std::invalid_argument);
     EXPECT_THROW((void)states("LLL0LL", 2, Ends::Open), std::invalid_argument);
     EXPECT_THROW((void)states("LLL000LLL", 2, Ends::Open), std::invalid_argument);
+}
+
+/// The states of a word's cells by their numbers, or nothing for a word that has none.
+std::optional<std::vector<CellState>> numbered_states(const Word& word, int degree, Ends ends) {
+    try {
+        const NumberedCells numbered = numbered_cells(word, degree, ends);
+        std::vector<CellState> states;
+        std::uint32_t next = 0;
+        for (const std::uint32_t cell : numbered.cells) {
+            EXPECT_LE(cell, next) << "numbers come in the order of the cells";
+            if (cell == next) ++next;
+            states.push_back(numbered.states.at(cell));
+        }
+        EXPECT_EQ(next, numbered.states.size());
+        for (std::size_t i = 0; i < numbered.states.size(); ++i)
+            EXPECT_EQ(std::ranges::find(numbered.states, numbered.states[i]) - numbered.states.begin(), i);
+        return states;
+    } catch (const std::invalid_argument&) {
+        return std::nullopt;
+    }
+}
+
+TEST(NumberedCells, AreTheStatesOfEverySmallWordEachOnce) {
+    const IntervalSystem fibonacci = system_of("L->SL, S->L");
+    const Word letters = word_of(fibonacci, "LS0");
+    std::size_t with_states = 0;
+    for (std::size_t size = 0; size <= 7; ++size) {
+        std::vector<std::size_t> digits(size, 0);
+        for (bool more = true; more;) {
+            Word word;
+            for (const std::size_t digit : digits) word.push_back(letters[digit]);
+            for (const int degree : {1, 2, 3})
+                for (const Ends ends : {Ends::Circular, Ends::Open}) {
+                    std::optional<std::vector<CellState>> expected;
+                    try {
+                        expected = cell_states(word, degree, ends);
+                        ++with_states;
+                    } catch (const std::invalid_argument&) {
+                    }
+                    EXPECT_EQ(numbered_states(word, degree, ends), expected);
+                }
+            const auto carry = std::ranges::find_if(digits, [](std::size_t digit) { return digit < 2; });
+            std::fill(digits.begin(), carry, 0);
+            more = carry != digits.end();
+            if (more) ++*carry;
+        }
+    }
+    EXPECT_GT(with_states, 5000U);
 }
 
 TEST(Automaton, OfFibonacciIsSmall) {

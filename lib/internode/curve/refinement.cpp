@@ -89,11 +89,10 @@ Knots refined_knots(const Knots& knots, int steps) {
 
 Refinement::Refinement(Curve curve, std::size_t state_limit)
     : curve_(std::move(curve)) {
-    const std::vector<CellState> cells = cell_states(curve_.word(), curve_.degree(), curve_.ends());
-    automaton_ =
-        std::make_shared<const StencilAutomaton>(make_automaton(curve_.system(), curve_.degree(), cells, state_limit));
-    states_.reserve(cells.size());
-    for (const CellState& cell : cells) states_.push_back(automaton_->find(cell));
+    NumberedCells start = numbered_cells(curve_.word(), curve_.degree(), curve_.ends());
+    automaton_ = std::make_shared<const StencilAutomaton>(
+        make_automaton(curve_.system(), curve_.degree(), start.states, state_limit));
+    states_ = std::move(start.cells);
     assert(states_.size() == curve_.size());
 }
 

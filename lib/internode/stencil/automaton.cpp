@@ -141,19 +141,48 @@ std::size_t zeros_from(WordView word, std::size_t i, std::size_t d) {
 }
 
 /// The 2d-1 letters around place j, going round in a circular word.
-Word window_around(WordView word, std::size_t j, std::size_t d) {
-    const std::size_t n = word.size();
-    assert(n > 0 && d > 0);
-    Word window;
-    window.reserve(2 * d - 1);
-    // j + n·d is the same place, and nothing left of it is negative.
-    for (std::size_t i = j + n * d + 1 - d; i < j + n * d + d; ++i) window.push_back(word[i % n]);
-    return window;
-}
+class Window {
+public:
+    Window(WordView word, std::size_t j, std::size_t d)
+        : word_(word)
+        , first_((j + word.size() * d + 1 - d) % word.size()) // j + n·d is the same place, and no letter left of 0
+        , size_(2 * d - 1) {}
 
-} // namespace
+    [[nodiscard]] Word letters() const {
+        Word window;
+        window.reserve(size_);
+        for_each([&](Symbol symbol) { window.push_back(symbol); });
+        return window;
+    }
+    [[nodiscard]] std::uint64_t hash() const {
+        std::uint64_t hash = 0;
+        for_each([&](Symbol symbol) { hash = (std::rotl(hash, 7) ^ to_index(symbol)) * 0x9e3779b97f4a7c15U; });
+        return hash;
+    }
+    [[nodiscard]] bool is(const Word& window) const {
+        std::size_t place = 0;
+        bool same = window.size() == size_;
+        for_each([&](Symbol symbol) { same = same && window[place++] == symbol; });
+        return same;
+    }
 
-std::vector<CellState> cell_states(WordView word, int degree, Ends ends) {
+private:
+    template<typename Visit>
+    void for_each(Visit visit) const {
+        std::size_t at = first_;
+        for (std::size_t i = 0; i < size_; ++i) {
+            visit(word_[at]);
+            if (++at == word_.size()) at = 0;
+        }
+    }
+    WordView word_;
+    std::size_t first_;
+    std::size_t size_;
+};
+
+/// Calls visit(window, lead) for every cell of a word, from left to right.
+template<typename Visit>
+void for_each_cell(WordView word, int degree, Ends ends, Visit visit) {
     if (degree < 1) throw std::invalid_argument("a degree is at least 1");
     const auto d = static_cast<std::size_t>(degree);
     const bool open = ends == Ends::Open;
@@ -161,14 +190,41 @@ std::vector<CellState> cell_states(WordView word, int degree, Ends ends) {
     const std::size_t count = open ? word.size() - d : word.size();
     if (open && (word[d] == zero_interval || word[count - 1] == zero_interval))
         throw std::invalid_argument("the domain begins or ends with an empty interval");
-    std::vector<CellState> states;
-    states.reserve(count);
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t lead = open && k < d ? d - k : zeros_from(word, k, d);
         if (lead > d) throw std::invalid_argument("more than d intervals in a row are empty");
-        states.push_back({window_around(word, k + lead, d), static_cast<std::uint32_t>(lead)});
+        visit(Window(word, k + lead, d), static_cast<std::uint32_t>(lead));
     }
+}
+
+} // namespace
+
+std::vector<CellState> cell_states(WordView word, int degree, Ends ends) {
+    std::vector<CellState> states;
+    states.reserve(word.size());
+    for_each_cell(word, degree, ends, [&](const Window& window, std::uint32_t lead) {
+        states.push_back({window.letters(), lead});
+    });
     return states;
+}
+
+NumberedCells numbered_cells(WordView word, int degree, Ends ends) {
+    NumberedCells numbered;
+    numbered.cells.reserve(word.size());
+    std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> same_hash;
+    for_each_cell(word, degree, ends, [&](const Window& window, std::uint32_t lead) {
+        std::vector<std::uint32_t>& candidates = same_hash[window.hash() + lead];
+        const auto is_it = [&](std::uint32_t known) {
+            return numbered.states[known].lead == lead && window.is(numbered.states[known].window);
+        };
+        const auto known = std::ranges::find_if(candidates, is_it);
+        if (known != candidates.end()) return numbered.cells.push_back(*known);
+        const auto added = static_cast<std::uint32_t>(numbered.states.size());
+        candidates.push_back(added);
+        numbered.states.push_back({window.letters(), lead});
+        numbered.cells.push_back(added);
+    });
+    return numbered;
 }
 
 } // namespace internode

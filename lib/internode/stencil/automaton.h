@@ -72,4 +72,13 @@ private:
 /// `0`, more than d zeros in a row (curve/curve.h says it with numbers)
 [[nodiscard]] std::vector<CellState> cell_states(WordView word, int degree, Ends ends);
 
+/// The states of a word's cells, each once, as make_automaton() numbers them when it starts from these.
+struct NumberedCells {
+    std::vector<CellState> states;    ///< in the order in which they first stand in the word
+    std::vector<std::uint32_t> cells; ///< the number of each cell's state
+};
+
+/// Of the same words, with the same exceptions; 4 bytes a cell where cell_states() takes a window.
+[[nodiscard]] NumberedCells numbered_cells(WordView word, int degree, Ends ends);
+
 } // namespace internode

@@ -4,10 +4,12 @@
 
 #include "internode/stencil/block_run.h"
 #include "internode/stencil/levels.h"
+#include "internode/stencil/step_tables.h"
 
 #include <cassert>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace internode {
 
@@ -20,21 +22,28 @@ LevelsPlan::LevelsPlan(const IntervalSystem& system, const StartCells& start, in
     , starts_{0} {
     if (steps < 1) throw std::invalid_argument("levels of fewer than one step");
     const Levels levels = levels_of(*start.automaton, start.cells, steps);
+    const StepFuser fuser = interval_fuser(start.automaton, system);
+    StepTables tables(fuser);
     const auto table = [&](int base, int level) {
-        return fuse(*start.automaton, system, level - base, levels.occupied[static_cast<std::size_t>(base)]);
+        return tables.of(level - base, levels.occupied[static_cast<std::size_t>(base)]);
     };
-    int base = 0;
-    int level = 1;
-    for (const int block : plan_.blocks()) {
-        for (const int end = level + block; level < end; ++level) {
-            std::optional<FusedStencils> stencils = table(base, level);
-            if (!stencils) stencils = table(base = level - 1, level);
-            levels_.push_back({base, std::make_shared<const FusedStencils>(*std::move(stencils))});
-            starts_.push_back(starts_.back() + sizes()[static_cast<std::size_t>(level)]);
+    levels_.resize(static_cast<std::size_t>(steps));
+    const std::vector<int> blocks = plan_.blocks();
+    int end = steps;
+    // From the last block to the first, whose cells have fewer states.
+    for (auto block = blocks.rbegin(); block != blocks.rend(); ++block) {
+        const int first = end - *block;
+        int base = first;
+        for (int level = first + 1; level <= end; ++level) {
+            std::shared_ptr<const FusedStencils> stencils = table(base, level);
+            if (stencils == nullptr) stencils = table(base = level - 1, level);
+            assert(stencils != nullptr && "one step is always there");
+            levels_[static_cast<std::size_t>(level - 1)] = {base, std::move(stencils)};
         }
-        base = level - 1;
+        end = first;
     }
-    assert(levels_.size() == static_cast<std::size_t>(steps));
+    assert(end == 0);
+    for (std::size_t level = 1; level < sizes().size(); ++level) starts_.push_back(starts_.back() + sizes()[level]);
 }
 
 std::uint64_t LevelsPlan::start(int level) const {

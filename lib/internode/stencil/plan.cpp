@@ -9,6 +9,7 @@
 #include "internode/stencil/coordinate_buffer.h"
 #include "internode/stencil/levels.h"
 #include "internode/stencil/parallel.h"
+#include "internode/stencil/step_tables.h"
 
 #include <algorithm>
 #include <cassert>
@@ -83,34 +84,6 @@ private:
     PlanOptions options_;
 };
 
-/// The tables of blocks, by their steps: blocks of as many steps share one, where it has all the rows that they need.
-class Tables {
-public:
-    explicit Tables(const StepFuser& fuser)
-        : fuser_(fuser) {}
-
-    /// None where it would not be precise.
-    std::shared_ptr<const FusedStencils> of(int steps, const std::vector<bool>& wanted) {
-        const auto has_all = [&](const Made& one) {
-            return one.stencils->steps == steps && std::ranges::equal(wanted, one.wanted, std::ranges::less_equal());
-        };
-        const auto found = std::ranges::find_if(made_, has_all);
-        if (found != made_.end()) return found->stencils;
-        std::optional<FusedStencils> stencils = fuser_.table(steps, wanted);
-        if (!stencils) return nullptr;
-        made_.push_back({wanted, std::make_shared<const FusedStencils>(*std::move(stencils))});
-        return made_.back().stencils;
-    }
-
-private:
-    struct Made {
-        std::vector<bool> wanted;
-        std::shared_ptr<const FusedStencils> stencils;
-    };
-    const StepFuser& fuser_;
-    std::vector<Made> made_;
-};
-
 /// The counts come from the caller.
 std::size_t coordinates(std::uint64_t points, std::size_t dimension) {
     if (dimension == 0) throw std::invalid_argument("no coordinates, or no polygons");
@@ -121,14 +94,19 @@ std::size_t coordinates(std::uint64_t points, std::size_t dimension) {
 } // namespace
 
 StartCells start_cells(const IntervalSystem& system, int degree, WordView word, Ends ends, const PlanOptions& options) {
-    const std::vector<CellState> states = cell_states(word, degree, ends);
+    NumberedCells start = numbered_cells(word, degree, ends);
     const AutomatonRows rows = options.most_fused_steps == 1 ? AutomatonRows::Exact : AutomatonRows::None;
-    StartCells start;
-    start.automaton =
-        std::make_shared<const StencilAutomaton>(make_automaton(system, degree, states, options.state_limit, rows));
-    start.cells.reserve(states.size());
-    for (const CellState& state : states) start.cells.push_back(start.automaton->find(state));
-    return start;
+    return {std::make_shared<const StencilAutomaton>(
+                make_automaton(system, degree, start.states, options.state_limit, rows)),
+            std::move(start.cells)};
+}
+
+StepFuser interval_fuser(std::shared_ptr<const StencilAutomaton> automaton, const IntervalSystem& system) {
+    const std::size_t width = automaton->width();
+    return {[automaton = std::move(automaton), system](int steps, const std::vector<bool>& wanted) {
+                return fuse(*automaton, system, steps, wanted);
+            },
+            width};
 }
 
 RefinementPlan::RefinementPlan(const IntervalSystem& system, int degree, WordView word, Ends ends, int steps,
@@ -140,12 +118,8 @@ RefinementPlan::RefinementPlan(const IntervalSystem& system, std::shared_ptr<con
     : RefinementPlan(system, StartCells{std::move(automaton), std::move(cells)}, steps, options) {}
 
 RefinementPlan::RefinementPlan(const IntervalSystem& system, StartCells start, int steps, const PlanOptions& options)
-    : RefinementPlan(start.automaton, std::move(start.cells), steps,
-                     StepFuser{[&, automaton = start.automaton](int count, const std::vector<bool>& wanted) {
-                                   return fuse(*automaton, system, count, wanted);
-                               },
-                               start.automaton->width()},
-                     options) {}
+    : RefinementPlan(start.automaton, std::move(start.cells), steps, interval_fuser(start.automaton, system), options) {
+}
 
 RefinementPlan::RefinementPlan(std::shared_ptr<const CellAutomaton> automaton, std::vector<std::uint32_t> cells,
                                int steps, const StepFuser& fuser, const PlanOptions& options)
@@ -158,7 +132,7 @@ RefinementPlan::RefinementPlan(std::shared_ptr<const CellAutomaton> automaton, s
 void RefinementPlan::choose_blocks(int steps, const StepFuser& fuser, const PlanOptions& options) {
     Levels levels = levels_of(*automaton_, cells_, steps);
     const BlockChoice choice(*automaton_, fuser.width, levels, options);
-    Tables tables(fuser);
+    StepTables tables(fuser);
     const auto table = [&](int level, int count) {
         return tables.of(count, levels.occupied[static_cast<std::size_t>(level - count)]);
     };

@@ -30,7 +30,7 @@ struct PlanOptions {
     std::size_t table_bytes =
         24 * 1024; ///< size of the weights of a block: with room to spare in a first cache of 32 KiB
     std::uint64_t points_per_row =
-        256;                   ///< points that a block writes for a row of its table to pay: what deriving one takes
+        2048; ///< points that a block writes for a row of its table to pay: deriving one takes 1/20 of their time
     int most_fused_steps = 64; ///< 1: step by step, with exact rows rounded once
     std::size_t state_limit = max_states;
 };
@@ -57,6 +57,9 @@ struct StepFuser {
     std::function<std::optional<FusedStencils>(int steps, const std::vector<bool>& wanted)> table;
     std::size_t width = 2; ///< weights in a row of several steps, at most
 };
+
+/// The rows of intervals, in 106 bits.
+[[nodiscard]] StepFuser interval_fuser(std::shared_ptr<const StencilAutomaton> automaton, const IntervalSystem& system);
 
 class RefinementPlan {
 public:

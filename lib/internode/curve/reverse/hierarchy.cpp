@@ -33,12 +33,10 @@ std::vector<std::uint32_t> children_of(const StencilAutomaton& automaton, const 
 Hierarchy::Hierarchy(Knots coarse, int levels)
     : coarse_(std::move(coarse)) {
     if (levels < 0) throw std::invalid_argument("a negative number of levels");
-    const std::vector<CellState> cells = cell_states(coarse_.word(), coarse_.degree(), coarse_.ends());
-    automaton_ =
-        std::make_shared<const StencilAutomaton>(make_automaton(coarse_.system(), coarse_.degree(), cells, max_states));
-    std::vector<std::uint32_t>& states = states_.emplace_back();
-    states.reserve(cells.size());
-    for (const CellState& cell : cells) states.push_back(automaton_->find(cell));
+    NumberedCells start = numbered_cells(coarse_.word(), coarse_.degree(), coarse_.ends());
+    automaton_ = std::make_shared<const StencilAutomaton>(
+        make_automaton(coarse_.system(), coarse_.degree(), start.states, max_states));
+    states_.push_back(std::move(start.cells));
     for (int level = 0; level < levels; ++level) states_.push_back(children_of(*automaton_, states_.back()));
 }
 
