@@ -46,12 +46,14 @@ void write_polygon(Sink& sink, const std::string& format, const Curve& curve, co
     if (format == "csv") {
         CsvOptions csv;
         csv.header = coordinate_names(curve.dimension());
+        csv.threads = context.apply.threads;
         write_csv(sink, points, csv);
     } else if (format == "npy") {
         write_npy(sink, points);
     } else if (format == "obj") {
         write_obj(sink, points, curve.ends(),
-                  std::vector<std::string>{"internode " + generator(context).version, context.command_line});
+                  std::vector<std::string>{"internode " + generator(context).version, context.command_line}, 0,
+                  context.apply.threads);
     } else {
         write_curve(sink, curve, context);
     }

@@ -75,6 +75,7 @@ void write_json(Sink& sink, const Grid& grid, const Context& context) {
     document.columns = grid.v().size();
     document.rational = grid.rational();
     document.points = {grid.dimension(), grid.points()};
+    document.threads = context.apply.threads;
     write_grid_json(sink, document);
 }
 
@@ -87,7 +88,7 @@ void write_mesh(Sink& sink, const std::string& format, const Sheet& sheet, const
     else if (kind == MeshFormat::Stl)
         write_stl(sink, sheet, comments);
     else
-        write_obj(sink, sheet, comments);
+        write_obj(sink, sheet, comments, context.apply.threads);
 }
 
 } // namespace

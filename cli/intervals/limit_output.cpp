@@ -54,7 +54,7 @@ void refuse_what_doubles_cannot_hold(const LimitFrames& frames) {
 } // namespace
 
 void write_limit(Sink& sink, const std::string& format, const Refinement& refinement, Coordinates coordinates,
-                 const std::vector<std::string>& names) {
+                 const std::vector<std::string>& names, int threads) {
     LimitPoints limit = limit_points(refinement);
     const bool is_rational = coordinates == Coordinates::Homogeneous;
     const std::size_t width = refinement.curve().dimension();
@@ -67,6 +67,7 @@ void write_limit(Sink& sink, const std::string& format, const Refinement& refine
         csv.header = names;
         csv.header.insert(csv.header.begin(), "t");
         csv.parameter = limit.parameters;
+        csv.threads = threads;
         write_csv(sink, points, csv);
     } else {
         const std::vector<double> rows =
@@ -75,18 +76,19 @@ void write_limit(Sink& sink, const std::string& format, const Refinement& refine
     }
 }
 
-std::size_t write_limit_obj(Sink& sink, const Refinement& refinement, Coordinates coordinates, std::size_t before) {
+std::size_t write_limit_obj(Sink& sink, const Refinement& refinement, Coordinates coordinates, std::size_t before,
+                            int threads) {
     LimitPoints limit = limit_points(refinement);
     const std::size_t width = refinement.curve().dimension();
     const bool is_rational = coordinates == Coordinates::Homogeneous;
     if (is_rational) limit.points = projected_points(limit.points, width);
     const PointsView points{is_rational ? width - 1 : width, limit.points};
-    write_obj(sink, points, refinement.curve().ends(), {}, before);
+    write_obj(sink, points, refinement.curve().ends(), {}, before, threads);
     return points.size();
 }
 
 void write_limit_frames(Sink& sink, const std::string& format, const Curve& given, const Refinement& refinement,
-                        const std::vector<std::string>& names) {
+                        const std::vector<std::string>& names, int threads) {
     assert(format == "csv" || format == "npy");
     const LimitFrames frames = limit_frames(given, refinement);
     refuse_what_doubles_cannot_hold(frames);
@@ -101,7 +103,8 @@ void write_limit_frames(Sink& sink, const std::string& format, const Curve& give
     if (format == "npy")
         write_npy(sink, rows);
     else
-        write_csv(sink, rows, {.header = frame_names(names), .parameter = {}, .nan_is_missing = true});
+        write_csv(sink, rows,
+                  {.header = frame_names(names), .parameter = {}, .nan_is_missing = true, .threads = threads});
 }
 
 } // namespace internode::cli

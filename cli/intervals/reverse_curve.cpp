@@ -24,12 +24,12 @@ Pyramid kept_details(const Pyramid& pyramid, const ReverseOptions& options) {
     return pyramid;
 }
 
-Analysis analysis_of(const SettledContour& contour, const ReverseOptions& options) {
+Analysis analysis_of(const SettledContour& contour, const ReverseOptions& options, int threads) {
     constexpr std::uint64_t usual_window = 5;
     const internode::ReverseOptions left_inverse{options.local ? ReverseMethod::Local : ReverseMethod::LeastSquares,
                                                  static_cast<std::size_t>(options.window.value_or(usual_window))};
     try {
-        return analyse(contour.coarse, contour.levels, contour.dimension, contour.points, left_inverse);
+        return analyse(contour.coarse, contour.levels, contour.dimension, contour.points, left_inverse, threads);
     } catch (const std::range_error& error) {
         throw failure(ExitCode::Refused, error.what(), "clamped ends are well conditioned: --clamped");
     }
@@ -41,6 +41,7 @@ void write_coarse(Sink& sink, const std::string& format, const PyramidReport& re
     if (format == "json") return write_curve(sink, coarse, context);
     CsvOptions csv;
     csv.header = contour.columns.empty() ? coordinate_names(coarse.dimension()) : contour.columns;
+    csv.threads = context.apply.threads;
     write_csv(sink, {coarse.dimension(), coarse.points()}, csv);
 }
 
@@ -68,9 +69,10 @@ ExitCode run(const IntervalGrammar& grammar, const LoadedText&, const ReverseOpt
     std::optional<Output> picture;
     if (!options.coarse.empty()) coarse.emplace(options.coarse);
     if (!options.picture.empty()) picture.emplace(options.picture);
-    Analysis analysis = analysis_of(contour, options);
+    Analysis analysis = analysis_of(contour, options, context.apply.threads);
     Pyramid kept = kept_details(analysis.pyramid, options);
-    const PyramidReport report = pyramid_report(std::move(analysis), std::move(kept), contour.fitting, contour.source);
+    const PyramidReport report =
+        pyramid_report(std::move(analysis), std::move(kept), contour.fitting, contour.source, context.apply.threads);
     say_what_was_done(report, format == "text", context);
     output.sink().write(format == "json" ? pyramid_json(report, generator(context)) : pyramid_text(report));
     output.commit();

@@ -154,11 +154,11 @@ public:
         PartSink part = begin(loaded);
         Sink& sink = format_ == "csv" ? static_cast<Sink&>(part) : sink_;
         if (derivatives)
-            write_limit_frames(sink, format_, loaded.curve, refinement, column_names(loaded));
+            write_limit_frames(sink, format_, loaded.curve, refinement, column_names(loaded), context_.apply.threads);
         else if (format_ == "obj")
-            vertices_ += write_limit_obj(sink_, refinement, loaded.coordinates, vertices_);
+            vertices_ += write_limit_obj(sink_, refinement, loaded.coordinates, vertices_, context_.apply.threads);
         else
-            write_limit(sink, format_, refinement, loaded.coordinates, column_names(loaded));
+            write_limit(sink, format_, refinement, loaded.coordinates, column_names(loaded), context_.apply.threads);
     }
 
 private:

@@ -108,7 +108,8 @@ void write_csv_parts(Sink& sink, const std::vector<DrawnPart>& parts, const Cont
 void write_json_parts(Sink& sink, const std::vector<DrawnPart>& parts, std::uint64_t cycles, const Context& context) {
     std::vector<PointsPart> documents;
     for (const auto& [loaded, strands, weighted] : parts)
-        documents.push_back({strands, *loaded->system, {loaded->name, cycles, weighted, generator(context)}});
+        documents.push_back(
+            {strands, *loaded->system, {loaded->name, cycles, weighted, generator(context), context.apply.threads}});
     if (documents.size() == 1)
         write_points_json(sink, parts.front().strands, *parts.front().loaded->system, documents.front().document);
     else

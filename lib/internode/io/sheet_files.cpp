@@ -4,7 +4,8 @@
 
 #include "internode/io/file/binary_buffer.h"
 #include "internode/io/file/comment_text.h"
-#include "internode/io/file/text_buffer.h"
+#include "internode/io/file/text_lines.h"
+#include "internode/text/number.h"
 
 #include <algorithm>
 #include <array>
@@ -41,9 +42,14 @@ void check(const Sheet& sheet, MeshFormat format) {
     if (const auto problem = mesh_problem(sheet, format)) throw std::invalid_argument(*problem);
 }
 
-void put_numbers(TextBuffer& text, std::string_view keyword, const std::array<double, 3>& numbers) {
-    text << keyword;
-    for (const double number : numbers) text << ' ' << number;
+/// "v 0 0.5 1", a line.
+void append_numbers(std::string& text, std::string_view keyword, const std::array<double, 3>& numbers) {
+    text += keyword;
+    for (const double number : numbers) {
+        text += ' ';
+        append(text, number);
+    }
+    text += '\n';
 }
 
 void put_floats(BinaryBuffer& bytes, const std::array<double, 3>& numbers) {
@@ -118,31 +124,25 @@ std::optional<std::string> mesh_problem(const Sheet& sheet, MeshFormat format) {
     return std::nullopt;
 }
 
-bool write_obj(Sink& sink, const Sheet& sheet, std::span<const std::string> comments) {
+bool write_obj(Sink& sink, const Sheet& sheet, std::span<const std::string> comments, int threads) {
     check(sheet, MeshFormat::Obj);
-    TextBuffer text(sink);
-    for (const std::string& comment : comments) {
-        text << "# " << comment_text(comment);
-        text.end_line();
-    }
-    for (std::size_t k = 0; k < vertex_count(sheet); ++k) {
-        put_numbers(text, "v", vertex(sheet, k));
-        if (!text.end_line()) return false;
-    }
+    std::string head;
+    for (const std::string& comment : comments) head += "# " + comment_text(comment) + '\n';
     const bool with_normals = !sheet.normals.empty();
-    for (std::size_t k = 0; with_normals && k < vertex_count(sheet); ++k) {
-        put_numbers(text, "vn", normal(sheet, k));
-        if (!text.end_line()) return false;
-    }
-    for (std::size_t f = 0; f < sheet.faces(); ++f) {
-        text << 'f';
+    const auto put_vertex = [&](std::size_t k, std::string& text) { append_numbers(text, "v", vertex(sheet, k)); };
+    const auto put_normal = [&](std::size_t k, std::string& text) { append_numbers(text, "vn", normal(sheet, k)); };
+    const auto put_face = [&](std::size_t f, std::string& text) {
+        text += 'f';
         for (const std::size_t corner : sheet.face(f)) {
-            text << ' ' << corner + 1;
-            if (with_normals) text << "//" << corner + 1;
+            const std::string number = std::to_string(corner + 1);
+            text += ' ' + number;
+            if (with_normals) text += "//" + number;
         }
-        if (!text.end_line()) return false;
-    }
-    return text.flush();
+        text += '\n';
+    };
+    return sink.write(head) && write_lines(sink, vertex_count(sheet), threads, put_vertex) &&
+           write_lines(sink, with_normals ? vertex_count(sheet) : 0, threads, put_normal) &&
+           write_lines(sink, sheet.faces(), threads, put_face);
 }
 
 bool write_ply(Sink& sink, const Sheet& sheet, std::span<const std::string> comments) {

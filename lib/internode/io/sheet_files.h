@@ -32,8 +32,8 @@ enum class MeshFormat { Obj, Ply, Stl };
 
 // Each writes the whole sheet; false if the sink failed. \throw std::invalid_argument with mesh_problem()
 
-/// Wavefront OBJ: `v`, `vn`, and a quadrilateral `f` per face.
-bool write_obj(Sink& sink, const Sheet& sheet, std::span<const std::string> comments = {});
+/// Wavefront OBJ: `v`, `vn`, and a quadrilateral `f` per face. `threads` make the lines, 0: as many as the machine has.
+bool write_obj(Sink& sink, const Sheet& sheet, std::span<const std::string> comments = {}, int threads = 1);
 
 /// PLY, binary, little endian: x y z as doubles, nx ny nz as floats, faces of four int indices.
 bool write_ply(Sink& sink, const Sheet& sheet, std::span<const std::string> comments = {});

@@ -6,8 +6,9 @@
 
 namespace internode {
 
-PyramidReport pyramid_report(Analysis analysis, Pyramid kept, const Fitting& fitting, const std::string& source) {
-    PyramidErrors errors = pyramid_errors(analysis, kept);
+PyramidReport pyramid_report(Analysis analysis, Pyramid kept, const Fitting& fitting, const std::string& source,
+                             int threads) {
+    PyramidErrors errors = pyramid_errors(analysis, kept, threads);
     return {source, fitting, std::move(analysis), std::move(kept), std::move(errors)};
 }
 

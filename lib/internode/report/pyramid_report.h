@@ -19,8 +19,9 @@ struct PyramidReport {
     PyramidErrors errors;
 };
 
-/// With the errors measured. `kept` holds some or all of the details of the analysis.
+/// With the errors measured, on `threads` threads as pyramid_errors() has them. `kept` holds some or all of the details
+/// of the analysis.
 [[nodiscard]] PyramidReport pyramid_report(Analysis analysis, Pyramid kept, const Fitting& fitting,
-                                           const std::string& source);
+                                           const std::string& source, int threads = 1);
 
 } // namespace internode

@@ -118,5 +118,31 @@ TEST(JsonWriter, ManyValuesAreThoseOfOneAfterAnother) {
         }
 }
 
+TEST(JsonWriter, RowsAreArraysOfValuesOneAfterAnother) {
+    for (const std::size_t columns : {1U, 2U, 7U, 1024U})
+        for (const std::size_t rows : {0U, 1U, 2U, 700U}) {
+            StringSink expected;
+            JsonWriter one_by_one(expected);
+            one_by_one.begin_object().key("a").begin_array().boolean(true);
+            for (std::size_t row = 0; row < rows; ++row) {
+                one_by_one.begin_array();
+                for (std::size_t i = 0; i < columns; ++i) one_by_one.integer(row * columns + i);
+                one_by_one.end_array();
+            }
+            one_by_one.null().end_array().end_object();
+            ASSERT_TRUE(one_by_one.finish());
+            for (const int threads : {1, 2, 0}) {
+                StringSink sink;
+                JsonWriter together(sink);
+                together.begin_object().key("a").begin_array().boolean(true);
+                together.rows(rows * columns, columns, threads,
+                              [](std::size_t i, std::string& text) { text += std::to_string(i); });
+                together.null().end_array().end_object();
+                ASSERT_TRUE(together.finish());
+                EXPECT_EQ(sink.text(), expected.text()) << rows << " rows of " << columns;
+            }
+        }
+}
+
 } // namespace
 } // namespace internode

@@ -23,8 +23,15 @@ bool GatherMatrix::is_identity() const {
 }
 
 std::vector<double> product(const GatherMatrix& matrix, std::span<const double> coarse, std::size_t dimension) {
+    std::vector<double> fine;
+    put_product(matrix, coarse, dimension, fine);
+    return fine;
+}
+
+void put_product(const GatherMatrix& matrix, std::span<const double> coarse, std::size_t dimension,
+                 std::vector<double>& fine) {
     require_rows(coarse, matrix.columns, dimension);
-    std::vector<double> fine(matrix.rows.size() * dimension);
+    fine.assign(matrix.rows.size() * dimension, 0);
     double* out = fine.data();
     for (const GatherRow& row : matrix.rows) {
         std::ptrdiff_t parent = row.first;
@@ -34,13 +41,19 @@ std::vector<double> product(const GatherMatrix& matrix, std::span<const double> 
         }
         out += dimension;
     }
-    return fine;
 }
 
 std::vector<double> transposed_product(const GatherMatrix& matrix, std::span<const double> fine,
                                        std::size_t dimension) {
+    std::vector<double> coarse;
+    put_transposed_product(matrix, fine, dimension, coarse);
+    return coarse;
+}
+
+void put_transposed_product(const GatherMatrix& matrix, std::span<const double> fine, std::size_t dimension,
+                            std::vector<double>& coarse) {
     require_rows(fine, matrix.rows.size(), dimension);
-    std::vector<double> coarse(matrix.columns * dimension);
+    coarse.assign(matrix.columns * dimension, 0);
     const double* in = fine.data();
     for (const GatherRow& row : matrix.rows) {
         std::ptrdiff_t parent = row.first;
@@ -50,7 +63,6 @@ std::vector<double> transposed_product(const GatherMatrix& matrix, std::span<con
         }
         in += dimension;
     }
-    return coarse;
 }
 
 } // namespace internode

@@ -41,8 +41,16 @@ struct GatherMatrix {
 [[nodiscard]] std::vector<double> product(const GatherMatrix& matrix, std::span<const double> coarse,
                                           std::size_t dimension);
 
+/// The same into `fine`, whose memory is used again.
+void put_product(const GatherMatrix& matrix, std::span<const double> coarse, std::size_t dimension,
+                 std::vector<double>& fine);
+
 /// Pᵀ x: n_c rows from n_f.
 [[nodiscard]] std::vector<double> transposed_product(const GatherMatrix& matrix, std::span<const double> fine,
                                                      std::size_t dimension);
+
+/// The same into `coarse`, whose memory is used again.
+void put_transposed_product(const GatherMatrix& matrix, std::span<const double> fine, std::size_t dimension,
+                            std::vector<double>& coarse);
 
 } // namespace internode

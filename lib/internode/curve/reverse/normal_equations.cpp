@@ -92,10 +92,12 @@ std::vector<double> least_squares(const GatherMatrix& matrix, const NormalEquati
     constexpr int refinements = 2; // each gains as many digits as the condition left
     std::vector<double> x = transposed_product(matrix, b, dimension);
     equations.solve(x, dimension);
+    std::vector<double> residual;
+    std::vector<double> correction;
     for (int pass = 0; pass < refinements; ++pass) {
-        std::vector<double> residual = product(matrix, x, dimension);
+        put_product(matrix, x, dimension, residual);
         for (std::size_t i = 0; i < residual.size(); ++i) residual[i] = b[i] - residual[i];
-        std::vector<double> correction = transposed_product(matrix, residual, dimension);
+        put_transposed_product(matrix, residual, dimension, correction);
         equations.solve(correction, dimension);
         for (std::size_t i = 0; i < x.size(); ++i) x[i] += correction[i];
     }

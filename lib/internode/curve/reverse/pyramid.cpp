@@ -7,12 +7,15 @@
 
 #include "internode/curve/refinement.h"
 #include "internode/curve/reverse/reverse_step.h"
+#include "internode/stencil/parallel.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace internode {
 
@@ -123,7 +126,7 @@ std::string level_problem(const PyramidLevel& level, std::size_t points, std::si
 } // namespace
 
 Analysis analyse(const Knots& coarse, int levels, std::size_t dimension, std::span<const double> fine,
-                 const ReverseOptions& options) {
+                 const ReverseOptions& options, int threads) {
     const Hierarchy hierarchy(coarse, levels);
     if (dimension == 0 || fine.size() != hierarchy.size(levels) * dimension)
         throw std::invalid_argument(fmt::format("{} coordinates are not {} points of dimension {}", fine.size(),
@@ -132,14 +135,25 @@ Analysis analyse(const Knots& coarse, int levels, std::size_t dimension, std::sp
     std::vector<std::vector<double>> polygons(static_cast<std::size_t>(levels) + 1);
     std::vector<PyramidLevel> details(static_cast<std::size_t>(levels));
     polygons.back().assign(fine.begin(), fine.end());
+    std::optional<ReverseStep> step;
+    std::optional<ReverseStep> next;
+    const auto prepare = [&](int level) {
+        next.emplace(hierarchy, level, options);
+        next->prepare_details();
+    };
+    const auto take = [&](std::size_t level) {
+        polygons[level] = step->coarse(polygons[level + 1], dimension);
+        PyramidLevel& written = details[level];
+        written.points = step->fine_size();
+        written.inserted = step->fine_size() - step->coarse_size();
+        written.details = step->details(polygons[level + 1], polygons[level], dimension);
+    };
+    if (levels > 0) prepare(levels - 1);
     for (int level = levels - 1; level >= 0; --level) {
-        const auto place = static_cast<std::size_t>(level);
-        const ReverseStep step(hierarchy, level, options);
-        polygons[place] = step.coarse(polygons[place + 1], dimension);
-        PyramidLevel& written = details[place];
-        written.points = step.fine_size();
-        written.inserted = step.fine_size() - step.coarse_size();
-        written.details = step.details(polygons[place + 1], polygons[place], dimension);
+        step = std::exchange(next, std::nullopt);
+        for_each_task(level > 0 ? 2 : 1, threads, [&](std::size_t task) {
+            task == 0 ? take(static_cast<std::size_t>(level)) : prepare(level - 1);
+        });
     }
     CheckedCurve curve = make_curve(coarse, dimension, polygons.front());
     if (!curve.curve) throw std::range_error("a coarse point beyond the range of doubles");

@@ -47,8 +47,9 @@ inline constexpr double largest_coordinate = 1e150;
 /// `levels` steps down from `fine`, rows of `dimension` coordinates: as many points as the refined knots ask for.
 /// \throw std::invalid_argument for another number of points or a coordinate beyond largest_coordinate,
 /// std::range_error when a coarse point is (only unclamped ends are conditioned so badly)
+/// On two threads or more (0: all that there are) a step is prepared while the one before it is taken: the same bytes.
 [[nodiscard]] Analysis analyse(const Knots& coarse, int levels, std::size_t dimension, std::span<const double> fine,
-                               const ReverseOptions& options = {});
+                               const ReverseOptions& options = {}, int threads = 1);
 
 /// The polygons of all levels, 0 … n, from the coarse one and the details.
 [[nodiscard]] std::vector<std::vector<double>> synthesise(const Pyramid& pyramid);

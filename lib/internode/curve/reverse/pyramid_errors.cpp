@@ -3,9 +3,9 @@
 #include "internode/curve/reverse/pyramid_errors.h"
 
 #include "internode/curve/reverse/hierarchy.h"
+#include "internode/stencil/parallel.h"
 
 #include <cassert>
-#include <utility>
 
 namespace internode {
 
@@ -26,17 +26,26 @@ std::vector<PolygonError> approximation_errors(const Analysis& analysis) {
     return errors;
 }
 
-PyramidErrors pyramid_errors(const Analysis& analysis, const Pyramid& kept) {
+PyramidErrors pyramid_errors(const Analysis& analysis, const Pyramid& kept, int threads) {
     assert(!analysis.polygons.empty() && kept.levels.size() == analysis.pyramid.levels.size());
     const std::size_t dimension = kept.coarse.dimension();
-    std::vector<PolygonError> round_trips;
-    const std::vector<std::vector<double>> whole = synthesise(analysis.pyramid);
-    for (std::size_t level = 0; level < whole.size(); ++level)
-        round_trips.push_back(polygon_error(whole[level], analysis.polygons[level], dimension));
     const bool all_kept = detail_count(kept) == detail_count(analysis.pyramid);
-    const PolygonError error =
-        all_kept ? round_trips.back() : polygon_error(synthesise(kept).back(), analysis.polygons.back(), dimension);
-    return {approximation_errors(analysis), std::move(round_trips), error};
+    PyramidErrors errors;
+    const auto measure_round_trips = [&] {
+        const std::vector<std::vector<double>> whole = synthesise(analysis.pyramid);
+        for (std::size_t level = 0; level < whole.size(); ++level)
+            errors.round_trips.push_back(polygon_error(whole[level], analysis.polygons[level], dimension));
+    };
+    const auto measure_kept = [&] {
+        if (!all_kept) errors.kept = polygon_error(synthesise(kept).back(), analysis.polygons.back(), dimension);
+    };
+    for_each_task(3, threads, [&](std::size_t task) {
+        if (task == 0) return measure_round_trips();
+        if (task == 1) return measure_kept();
+        errors.approximations = approximation_errors(analysis);
+    });
+    if (all_kept) errors.kept = errors.round_trips.back();
+    return errors;
 }
 
 } // namespace internode

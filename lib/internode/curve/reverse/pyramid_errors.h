@@ -20,7 +20,8 @@ struct PyramidErrors {
     PolygonError kept;                        ///< error of the fine polygon put together from the kept details
 };
 
-/// Puts both pyramids together again and measures. `kept` holds some or all of the details of the analysis.
-[[nodiscard]] PyramidErrors pyramid_errors(const Analysis& analysis, const Pyramid& kept);
+/// Puts both pyramids together again and measures, on at most `threads` threads (0: all that there are). `kept` holds
+/// some or all of the details of the analysis.
+[[nodiscard]] PyramidErrors pyramid_errors(const Analysis& analysis, const Pyramid& kept, int threads = 1);
 
 } // namespace internode

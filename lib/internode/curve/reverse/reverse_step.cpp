@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cassert>
 #include <stdexcept>
+#include <utility>
 
 namespace internode {
 
@@ -39,13 +40,14 @@ std::vector<double> chosen_rows(std::span<const double> rows, const std::vector<
     return chosen;
 }
 
-/// The rows of the kept points: n_c x n_c.
-GatherMatrix kept_rows(const GatherMatrix& matrix, const std::vector<std::size_t>& kept) {
+KeptRows kept_rows(const GatherMatrix& matrix, const std::vector<std::size_t>& kept) {
     GatherMatrix square;
     square.ends = matrix.ends;
     square.columns = matrix.columns;
+    square.rows.reserve(kept.size());
     for (const std::size_t point : kept) square.rows.push_back(matrix.rows[point]);
-    return square;
+    NormalEquations equations(square);
+    return {std::move(square), std::move(equations)};
 }
 
 } // namespace
@@ -60,6 +62,10 @@ ReverseStep::ReverseStep(const Hierarchy& hierarchy, int level, const ReverseOpt
         filters_.emplace(hierarchy, level, matrix_, options.window);
     else
         equations_.emplace(matrix_);
+}
+
+void ReverseStep::prepare_details() {
+    if (!inserted_.empty() && !kept_rows_) kept_rows_ = kept_rows(matrix_, kept_);
 }
 
 std::vector<double> ReverseStep::coarse(std::span<const double> fine, std::size_t dimension) const {
@@ -77,9 +83,12 @@ Details ReverseStep::details(std::span<const double> fine, std::span<const doubl
     for (std::size_t i = 0; i < residual.size(); ++i) residual[i] = fine[i] - residual[i];
     Details details;
     if (inserted_.empty()) return details;
-    const GatherMatrix square = kept_rows(matrix_, kept_);
-    const std::vector<double> at_kept =
-        least_squares(square, NormalEquations(square), chosen_rows(residual, kept_, dimension), dimension);
+    const std::vector<double> at_kept = [&] {
+        const std::vector<double> kept = chosen_rows(residual, kept_, dimension);
+        if (kept_rows_) return least_squares(kept_rows_->matrix, kept_rows_->equations, kept, dimension);
+        const KeptRows square = kept_rows(matrix_, kept_);
+        return least_squares(square.matrix, square.equations, kept, dimension);
+    }();
     const std::vector<double> foretold = product(matrix_, at_kept, dimension);
     for (std::size_t i = 0; i < residual.size(); ++i) residual[i] -= foretold[i];
     details.points = inserted_;

@@ -22,10 +22,19 @@
 
 namespace internode {
 
+/// The kept rows of P: n_c x n_c, regular.
+struct KeptRows {
+    GatherMatrix matrix;
+    NormalEquations equations;
+};
+
 class ReverseStep {
 public:
     /// From level + 1 down to level. The hierarchy must outlive the step.
     ReverseStep(const Hierarchy& hierarchy, int level, const ReverseOptions& options = {});
+
+    /// Factorises beforehand what details() needs beside coarse(): it does so itself otherwise.
+    void prepare_details();
 
     [[nodiscard]] std::size_t coarse_size() const { return matrix_.columns; }
     [[nodiscard]] std::size_t fine_size() const { return matrix_.rows.size(); }
@@ -48,6 +57,7 @@ private:
     std::vector<std::size_t> kept_;
     std::vector<std::size_t> inserted_;
     std::optional<NormalEquations> equations_; ///< the equations of the least squares
+    std::optional<KeptRows> kept_rows_;        ///< once details are prepared
     std::optional<LocalFilters> filters_;
 };
 

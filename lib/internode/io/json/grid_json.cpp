@@ -84,13 +84,8 @@ void write_knots(JsonWriter& json, const GridDocument& grid) {
 void write_points(JsonWriter& json, const GridDocument& grid) {
     assert(grid.columns > 0 && grid.points.size() % grid.columns == 0);
     json.key("points").begin_array();
-    for (std::size_t point = 0; point < grid.points.size() && json.good(); ++point) {
-        if (point % grid.columns == 0) json.begin_array();
-        json.begin_array(one_line);
-        for (const double coordinate : grid.points[point]) json.number(coordinate);
-        json.end_array();
-        if (point % grid.columns + 1 == grid.columns) json.end_array();
-    }
+    json.rows(grid.points.size(), grid.columns, grid.threads,
+              [&](std::size_t point, std::string& text) { append_array(text, grid.points[point]); });
     json.end_array();
 }
 

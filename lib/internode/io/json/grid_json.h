@@ -30,6 +30,7 @@ struct GridDocument {
     std::size_t columns = 1; ///< points in a row
     bool rational = false;
     PointsView points;
+    int threads = 1; ///< that make the text of the points; 0: as many as the machine has
 };
 
 /// Writes the document; false if the sink failed. \throw std::invalid_argument for rows that are not whole and numbers

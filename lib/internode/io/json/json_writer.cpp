@@ -165,6 +165,29 @@ JsonWriter& JsonWriter::values(std::size_t count, int threads,
     return *this;
 }
 
+JsonWriter& JsonWriter::rows(std::size_t count, std::size_t columns, int threads,
+                             const std::function<void(std::size_t i, std::string& text)>& append_value) {
+    assert(!open_.empty() && !open_.back().is_object && open_.back().layout == Layout::Block);
+    assert(columns > 0 && count % columns == 0);
+    if (count == 0) return *this;
+    before_entry();
+    drain(0);
+    new_line();
+    const std::string line = std::exchange(buffer_, {});
+    good_ = write_lines(sink_, count, threads,
+                        [&](std::size_t i, std::string& text) {
+                            const bool begins = i % columns == 0;
+                            if (i > 0) text += ',';
+                            if (begins && i > 0) text += line;
+                            if (begins) text += '[';
+                            text += line + "  ";
+                            append_value(i, text);
+                            if ((i + 1) % columns == 0) text += line + ']';
+                        }) &&
+            good_;
+    return *this;
+}
+
 bool JsonWriter::finish() {
     assert(open_.empty() && !after_key_);
     buffer_ += '\n';

@@ -48,6 +48,9 @@ public:
     /// threads (0: as many as the machine has) and in any order. The bytes are those of one value after another.
     JsonWriter& values(std::size_t count, int threads,
                        const std::function<void(std::size_t i, std::string& text)>& append_value);
+    /// The same for arrays of `columns` values each, which divides `count`: value i stands in the array i / columns.
+    JsonWriter& rows(std::size_t count, std::size_t columns, int threads,
+                     const std::function<void(std::size_t i, std::string& text)>& append_value);
 
     /// The last newline and the buffer to the sink; the value must be complete: assert. False if the sink has failed.
     bool finish();

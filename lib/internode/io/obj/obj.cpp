@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cassert>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace internode {
 
@@ -29,21 +31,34 @@ bool write_vertices(Sink& sink, const PointsView& points, int threads) {
     });
 }
 
-/// The indices of a polyline, its first again when closed, in chained lines; `at(i)` is index number i, from 0.
+/// The chained lines of a polyline of `size` points, its first again when closed; `at(i)` is index number i, from 0.
 template<typename Index>
-bool write_polyline(TextBuffer& text, std::size_t size, bool closed, const Index& at) {
-    if (size == 1) {
-        text << "p " << at(0) + 1;
-        return text.end_line();
+class Chain {
+public:
+    Chain(std::size_t size, bool closed, Index at)
+        : size_(size)
+        , count_(size + (closed ? 1 : 0))
+        , at_(std::move(at)) {}
+
+    [[nodiscard]] std::size_t lines() const {
+        if (size_ == 1) return 1;
+        return count_ < 2 ? 0 : (count_ - 2) / (indices_a_line - 1) + 1;
     }
-    const std::size_t count = size + (closed ? 1 : 0);
-    for (std::size_t begin = 0; begin + 1 < count; begin += indices_a_line - 1) {
-        text << 'l';
-        for (std::size_t i = begin; i < std::min(begin + indices_a_line, count); ++i) text << ' ' << at(i % size) + 1;
-        if (!text.end_line()) return false;
+
+    void append_line(std::size_t line, std::string& text) const {
+        assert(line < lines());
+        text += size_ == 1 ? 'p' : 'l';
+        const std::size_t begin = line * (indices_a_line - 1);
+        const std::size_t end = size_ == 1 ? 1 : std::min(begin + indices_a_line, count_);
+        for (std::size_t i = begin; i < end; ++i) text += ' ' + std::to_string(at_(i % size_) + 1);
+        text += '\n';
     }
-    return true;
-}
+
+private:
+    std::size_t size_;
+    std::size_t count_; ///< indices in all
+    Index at_;
+};
 
 bool write_points(Sink& sink, const PointsView& points, std::span<const std::string> comments, int threads) {
     require_whole_rows(points);
@@ -58,9 +73,9 @@ bool write_points(Sink& sink, const PointsView& points, std::span<const std::str
 bool write_obj(Sink& sink, const PointsView& points, Ends ends, std::span<const std::string> comments,
                std::size_t before, int threads) {
     if (!write_points(sink, points, comments, threads)) return false;
-    TextBuffer text(sink);
-    const auto row = [before](std::size_t i) { return before + i; };
-    return write_polyline(text, points.size(), ends == Ends::Circular, row) && text.flush();
+    const Chain chain(points.size(), ends == Ends::Circular, [before](std::size_t i) { return before + i; });
+    const auto put_line = [&](std::size_t line, std::string& text) { chain.append_line(line, text); };
+    return write_lines(sink, chain.lines(), threads, put_line);
 }
 
 bool write_obj(Sink& sink, const PointsView& points, std::span<const ObjPolyline> polylines,
@@ -69,10 +84,17 @@ bool write_obj(Sink& sink, const PointsView& points, std::span<const ObjPolyline
         for (const std::size_t index : polyline.points)
             if (index >= points.size()) throw std::out_of_range("OBJ: no such point");
     if (!write_points(sink, points, comments, threads)) return false;
+    // One line or so each, of some thousand polylines: not worth a thread.
     TextBuffer text(sink);
     for (const ObjPolyline& polyline : polylines) {
-        const auto row = [&](std::size_t i) { return before + polyline.points[i]; };
-        if (!write_polyline(text, polyline.points.size(), polyline.closed, row)) return false;
+        const Chain chain(polyline.points.size(), polyline.closed,
+                          [&](std::size_t i) { return before + polyline.points[i]; });
+        for (std::size_t line = 0; line < chain.lines(); ++line) {
+            std::string indices;
+            chain.append_line(line, indices);
+            text << indices;
+            if (!text.pass_on()) return false;
+        }
     }
     return text.flush();
 }

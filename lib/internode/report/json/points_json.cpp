@@ -5,6 +5,7 @@
 #include "internode/io/json/json_writer.h"
 #include "internode/point/strands.h"
 #include "internode/report/json/json_parts.h"
+#include "internode/text/number.h"
 
 #include <cassert>
 #include <span>
@@ -37,17 +38,19 @@ void write_system(JsonWriter& json, const PointSystem& system, const std::string
     json.end_object().end_object();
 }
 
-void write_points(JsonWriter& json, const PointStrands& strands, bool weighted) {
+void write_points(JsonWriter& json, const PointStrands& strands, const PointsDocument& document) {
     const std::size_t width = strands.dimension;
-    assert(!weighted || width >= 2);
-    if (weighted) {
+    assert(!document.weighted || width >= 2);
+    if (document.weighted) {
         json.key("weights").begin_array(one_line);
-        for (std::size_t i = 0; i < strands.size(); ++i) json.number(strands.points[i * width + width - 1]);
+        json.values(strands.size(), document.threads,
+                    [&](std::size_t i, std::string& text) { append(text, strands.points[i * width + width - 1]); });
         json.end_array();
     }
     json.key("points").begin_array();
-    for (std::size_t i = 0; i < strands.size() && json.good(); ++i)
-        write_row(json, std::span(strands.points).subspan(i * width, weighted ? width - 1 : width));
+    json.values(strands.size(), document.threads, [&](std::size_t i, std::string& text) {
+        append_array(text, std::span(strands.points).subspan(i * width, document.weighted ? width - 1 : width));
+    });
     json.end_array();
 }
 
@@ -80,7 +83,7 @@ void write_one(JsonWriter& json, const PointsPart& part) {
     write_heading(json, "internode-points", part.document.generator);
     write_system(json, part.system, part.document.name);
     json.key("cycles").integer(part.document.cycles).key("closed").boolean(part.system.grammar().ring);
-    write_points(json, part.strands, part.document.weighted);
+    write_points(json, part.strands, part.document);
     write_strands(json, part.strands);
     json.end_object();
 }

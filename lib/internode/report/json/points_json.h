@@ -20,6 +20,7 @@ struct PointsDocument {
     std::uint64_t cycles = 0; ///< cycles from the axiom or the polygon to the points
     bool weighted = false;    ///< the last coordinate of each point goes into "weights" instead
     Generator generator;
+    int threads = 1; ///< that make the text of the points; 0: as many as the machine has
 };
 
 /// Writes the document; false if the sink failed. \throw std::invalid_argument for numbers that are not finite, and for
