@@ -30,28 +30,35 @@ template<typename Scalar>
     return {"memcpy", static_cast<double>(points), points, [copy] { return seconds_of(copy); }};
 }
 
-/// As many bytes as `points` points have, by ordinary stores into touched memory.
-[[nodiscard]] inline Contestant fill_of(std::size_t points) {
-    auto to = touched_buffer<double>(points * dimension);
-    const auto fill = [to] { std::ranges::fill(to->values(), 1.0); };
-    return {"fill", static_cast<double>(points), points, [fill] { return seconds_of(fill); }};
+/// Writes every number, past the caches.
+inline void fill_streamed(std::span<double> to) {
+    LineStage<double> stage;
+    LineWriter<double> writer(stage, to.data());
+    for (std::size_t rest = to.size(); rest > 0;) {
+        const std::size_t part = std::min(rest, LineWriter<double>::line);
+        std::fill_n(writer.next(part), part, 1.0);
+        writer.wrote(part);
+        rest -= part;
+    }
+    writer.finish();
 }
 
-/// The same past the caches.
-[[nodiscard]] inline Contestant streamed_fill_of(std::size_t points) {
+inline void fill_cached(std::span<double> to) {
+    std::ranges::fill(to, 1.0);
+}
+
+using Fill = void(std::span<double>);
+
+/// As many bytes as `points` points have, into touched memory.
+[[nodiscard]] inline Contestant fill_of(const std::string& name, std::size_t points, Fill* fill) {
     auto to = touched_buffer<double>(points * dimension);
-    const auto fill = [to] {
-        LineStage<double> stage;
-        LineWriter<double> writer(stage, to->data());
-        for (std::size_t rest = to->size(); rest > 0;) {
-            const std::size_t part = std::min(rest, LineWriter<double>::line);
-            std::fill_n(writer.next(part), part, 1.0);
-            writer.wrote(part);
-            rest -= part;
-        }
-        writer.finish();
-    };
-    return {"fill-streamed", static_cast<double>(points), points, [fill] { return seconds_of(fill); }};
+    return {name, static_cast<double>(points), points, [to, fill] { return seconds_of([&] { fill(to->values()); }); }};
+}
+
+/// Both, of which the better counts; `suffix` tells rows of several sizes apart.
+inline void add_fills(std::vector<Contestant>& contestants, std::size_t points, const std::string& suffix = "") {
+    contestants.push_back(fill_of("fill" + suffix, points, fill_cached));
+    contestants.push_back(fill_of("fill-streamed" + suffix, points, fill_streamed));
 }
 
 } // namespace internode::bench

@@ -125,7 +125,14 @@ Contestant first_touch(std::size_t count) {
 std::vector<Contestant> against_copy(Scale scale) {
     const CurveCase curve = fibonacci_case(1600, scaled(20, scale));
     const std::size_t count = refined_points(curve);
-    return {ours_reused("internode", curve), memcpy_of(count), fill_of(count), streamed_fill_of(count)};
+    std::vector<Contestant> contestants{ours_reused("internode", curve), memcpy_of(count)};
+    add_fills(contestants, count);
+    return contestants;
+}
+
+std::vector<Contestant> against_first_touch(Scale scale) {
+    const CurveCase curve = fibonacci_case(1600, scaled(20, scale));
+    return {ours_fresh("internode", curve), first_touch(refined_points(curve))};
 }
 
 std::vector<Contestant> against_peers(Scale scale) {
@@ -151,6 +158,7 @@ std::vector<Contestant> against_fresh_peers(Scale scale) {
 
 std::vector<Row> curve_rows() {
     return {{"curve-24M-reused", against_copy},
+            {"curve-24M-fresh", against_first_touch},
             {"curve-1M-reused", against_peers},
             {"curve-10M-fresh", against_fresh_peers}};
 }

@@ -69,8 +69,11 @@ Refine by_hand(const std::shared_ptr<const GridCase>& grid) {
 
 std::vector<Contestant> contest(const GridCase& grid) {
     const auto given = std::make_shared<const GridCase>(grid);
-    return {contestant("internode", grid, ours(given)), contestant("internode-planned", grid, ours_planned(given)),
-            contestant("separable", grid, by_hand(given)), memcpy_of(refined_points(grid))};
+    std::vector<Contestant> contestants{contestant("internode", grid, ours(given)),
+                                        contestant("internode-planned", grid, ours_planned(given)),
+                                        contestant("separable", grid, by_hand(given)), memcpy_of(refined_points(grid))};
+    add_fills(contestants, refined_points(grid));
+    return contestants;
 }
 
 std::vector<Contestant> middle(Scale scale) {

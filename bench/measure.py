@@ -82,10 +82,25 @@ def compared(claim, rows):
     return {"opponent": best, "ratio": ratio, "lowest": min(rounds), "highest": max(rounds)}
 
 
+def median_costs(row):
+    return {name: statistics.median(of) for name, of in row["costs"].items()}
+
+
+def on_threads(claim, rows):
+    """The gain of a second thread; its goal is what a fill that computes nothing gains, if that is less."""
+    costs = median_costs(rows[claim["row"]])
+    fill = {threads: min(costs[f"{kind}-{threads}"] for kind in ("fill", "fill-streamed")) for threads in ("one", "two")}
+    gain = fill["one"] / fill["two"]
+    return {**compared(claim, rows), "goal": min(claim["goal"], 0.9 * gain),
+            "said": f"{claim['said']} (a fill gains {gain:.2f})"}
+
+
 def flatness(claim, rows):
-    """The dearest point over the cheapest."""
-    medians = [statistics.median(of) for of in rows[claim["row"]]["costs"].values()]
-    return {"ratio": max(medians) / min(medians)}
+    """The dearest point over the cheapest, each over the best fill of as much memory."""
+    costs = median_costs(rows[claim["row"]])
+    over = [cost / min(costs[f"{kind}-{size}"] for kind in ("fill", "fill-streamed"))
+            for size, cost in costs.items() if not size.startswith("fill")]
+    return {"ratio": max(over) / min(over)}
 
 
 def of_processes(values):
@@ -97,18 +112,34 @@ def result_of(claim, rows):
         return of_processes(once("memory"))
     if claim["kind"] == "first-point":
         return of_processes([seconds / 0.005 for seconds in once("first-point")])
-    return flatness(claim, rows) if claim["kind"] == "flat" else compared(claim, rows)
+    return {"flat": flatness, "threads": on_threads, "ratio": compared}[claim["kind"]](claim, rows)
 
 
 def machine(row):
-    costs = {name: statistics.median(of) for name, of in row["costs"].items()}
-    gigabytes = {name: 1e-6 / cost for name, cost in costs.items()}
+    gigabytes = {name: 1e-6 / cost for name, cost in median_costs(row).items()}
     model = [line.split(":")[1].strip() for line in open("/proc/cpuinfo") if line.startswith("model name")][:1]
     compiler = [line.split("=", 1)[1].strip() for line in open(ours.parent / "CMakeCache.txt")
                 if line.startswith("CMAKE_CXX_COMPILER:")][0]
     return {"processor": (model or [platform.machine()])[0], "cores": os.cpu_count(), "caches": row["caches"],
             "compiler": text_of(compiler, "--version").splitlines()[0], "gigabytes_per_second": gigabytes,
             "load": os.getloadavg()[0]}
+
+
+def instructions():
+    """Of a multiply-add, for each case of bench/byte_cases.h: two runs less one, by callgrind; none without it."""
+    if not shutil.which("valgrind"):
+        return {}
+    counted = {}
+    for case in ("degree-2", "degree-3", "degree-5", "degree-12", "2-D", "4-D", "7-D", "float"):
+        collected = {}
+        for runs in (1, 2):
+            file = raw / "callgrind.out"
+            once = text_of("valgrind", "--quiet", "--tool=callgrind", f"--callgrind-out-file={file}",
+                           ours / "internode_bench_once", "apply", case, runs)
+            summary = [line for line in file.read_text().splitlines() if line.startswith(("summary:", "totals:"))]
+            collected[runs] = int(summary[-1].split()[1])
+        counted[case] = (collected[2] - collected[1]) / float(once)
+    return counted
 
 
 def main():
@@ -120,7 +151,8 @@ def main():
         row = rows.get(claim["row"], {})
         table.append({**claim, **(result or {}), "measured": result is not None})
         table[-1]["disagreement"] = row.get("disagreement") if row.get("compared", 0) > 1 else None
-    report = {"repetitions": repetitions, "machine": machine(rows["machine"]), "claims": table}
+    report = {"repetitions": repetitions, "machine": machine(rows["machine"]), "claims": table,
+              "instructions": instructions()}
     (output / "bench.json").write_text(json.dumps(report, indent=1) + "\n")
 
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// internode_bench_once first-point | memory: figures of a fresh process, printed as one number.
+// internode_bench_once first-point | memory | apply CASE RUNS: figures of a fresh process, printed as one number.
 //
 //     first-point   seconds from a grammar's file to the points after one step, d = 3
 //     memory        peak memory of the process while it refines to 24 M fresh points, over output and input
+//     apply         multiply-adds of one run of a case of bench/byte_cases.h; RUNS are made, for callgrind to count
 
+#include "bench/byte_cases.h"
 #include "bench/cases.h"
 
 #include "internode/curve/refinement.h"
@@ -17,6 +19,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <string>
 #include <string_view>
 
 namespace internode::bench {
@@ -44,16 +47,35 @@ double memory() {
     return peak / static_cast<double>((out.size() + curve.points.size()) * sizeof(double));
 }
 
+template<typename Scalar>
+double multiply_adds(const ByteCase& given, int runs) {
+    const ByteCurve<Scalar> curve(given);
+    const RefinementPlan plan = curve.plan();
+    CoordinateBuffer<Scalar> out(plan.output_size() * curve.dimension);
+    for (int run = 0; run < runs; ++run)
+        plan.apply<Scalar>(curve.points, curve.dimension, out.values(), {.stores = Stores::Cached});
+    return static_cast<double>(out.size()) * (given.degree + 1);
+}
+
+/// Zero for a case that there is not.
+double multiply_adds(std::string_view name, int runs) {
+    for (const ByteCase& given : byte_cases(1190, 14))
+        if (given.name == name)
+            return given.in_float ? multiply_adds<float>(given, runs) : multiply_adds<double>(given, runs);
+    return 0;
+}
+
 } // namespace
 } // namespace internode::bench
 
 int main(int argc, char** argv) {
-    const std::string_view what = argc == 2 ? argv[1] : "";
-    if (what != "first-point" && what != "memory") {
-        std::fputs("usage: internode_bench_once first-point | memory\n", stderr);
-        return 2;
-    }
     using namespace internode::bench;
-    std::printf("%.9g\n", what == "memory" ? memory() : first_point());
-    return 0;
+    const std::string_view what = argc > 1 ? argv[1] : "";
+    double figure = 0;
+    if (argc == 2 && what == "first-point") figure = first_point();
+    if (argc == 2 && what == "memory") figure = memory();
+    if (argc == 4 && what == "apply") figure = multiply_adds(argv[2], std::stoi(argv[3]));
+    if (figure > 0) return std::printf("%.9g\n", figure) > 0 ? 0 : 1;
+    std::fputs("usage: internode_bench_once first-point | memory | apply CASE RUNS\n", stderr);
+    return 2;
 }

@@ -2,9 +2,12 @@
 //
 // internode against itself: kinds of curves per multiply-add, threads, sizes, and all levels against a copy.
 
+#include "bench/byte_cases.h"
 #include "bench/ours.h"
 
 #include "internode/stencil/levels_plan.h"
+
+#include <thread>
 
 namespace internode::bench {
 namespace {
@@ -40,6 +43,29 @@ std::vector<Contestant> kinds(Scale scale) {
             in_float("float", fibonacci(3, Shape::Clamped))};
 }
 
+/// Counted in bytes of the result.
+template<typename Scalar>
+Contestant per_byte(const std::string& name, const ByteCase& given) {
+    const ByteCurve<Scalar> curve(given);
+    const std::size_t count = curve.plan().output_size();
+    const auto out = touched_buffer<Scalar>(count * given.dimension);
+    const auto work = [=] { curve.plan().template apply<Scalar>(curve.points, curve.dimension, out->values()); };
+    return {name, static_cast<double>(out->size() * sizeof(Scalar)), count, [work] { return seconds_of(work); }};
+}
+
+/// About 240 MB each.
+std::vector<Contestant> bytes(Scale scale) {
+    const int steps = scaled(19, scale);
+    std::vector<Contestant> contestants;
+    for (const ByteCase& given : byte_cases(1070, steps))
+        contestants.push_back(given.in_float ? per_byte<float>(given.name, given)
+                                             : per_byte<double>(given.name, given));
+    add_fills(contestants, refined_points(fibonacci_case(1070, steps)));
+    for (Contestant& contestant : contestants)
+        if (contestant.name.starts_with("fill")) contestant.amount *= dimension * sizeof(double);
+    return contestants;
+}
+
 ApplyOptions threads(int count) {
     return {.threads = count};
 }
@@ -68,15 +94,46 @@ Contestant on_threads(int count, const CurveCase& curve) {
     return ours_reused(count == 1 ? "one-thread" : "two-threads", curve, threads(count), Clock::Wall);
 }
 
+/// Runs fill on as many parts as there are threads, side by side.
+void fill_on(int threads, std::span<double> to, Fill* fill) {
+    const std::size_t half = threads == 1 ? 0 : to.size() / 2;
+    std::jthread other;
+    if (half > 0) other = std::jthread([=] { fill(to.first(half)); });
+    fill(to.subspan(half));
+}
+
+/// What one and two threads write when they compute nothing: into touched memory, or into what the call asks for.
+void add_fills_on_threads(std::vector<Contestant>& contestants, std::size_t points, bool fresh) {
+    const auto amount = static_cast<double>(points);
+    const auto kept = std::make_shared<CoordinateBuffer<double>>();
+    if (!fresh) *kept = std::move(*touched_buffer<double>(points * dimension));
+    for (Fill* const fill : {fill_cached, fill_streamed})
+        for (const int threads : {1, 2}) {
+            const auto seconds = [=] {
+                if (fresh) *kept = {};
+                return wall_seconds_of([&] {
+                    if (fresh) *kept = CoordinateBuffer<double>(points * dimension);
+                    fill_on(threads, kept->values(), fill);
+                });
+            };
+            const std::string name = fill == fill_cached ? "fill" : "fill-streamed";
+            contestants.push_back({name + (threads == 1 ? "-one" : "-two"), amount, points, seconds});
+        }
+}
+
 std::vector<Contestant> threads_fresh(Scale scale) {
     const CurveCase curve = fibonacci_case(1600, scaled(20, scale));
-    return {ours_fresh("one-thread", curve, threads(1), Clock::Wall),
-            ours_fresh("two-threads", curve, threads(2), Clock::Wall)};
+    std::vector<Contestant> contestants{ours_fresh("one-thread", curve, threads(1), Clock::Wall),
+                                        ours_fresh("two-threads", curve, threads(2), Clock::Wall)};
+    add_fills_on_threads(contestants, refined_points(curve), true);
+    return contestants;
 }
 
 std::vector<Contestant> threads_reused(Scale scale) {
     const CurveCase curve = fibonacci_case(1600, scaled(20, scale));
-    return {on_threads(1, curve), on_threads(2, curve)};
+    std::vector<Contestant> contestants{on_threads(1, curve), on_threads(2, curve)};
+    add_fills_on_threads(contestants, refined_points(curve), false);
+    return contestants;
 }
 
 std::vector<Contestant> threads_few_points(Scale scale) {
@@ -85,10 +142,18 @@ std::vector<Contestant> threads_few_points(Scale scale) {
 }
 
 std::vector<Contestant> sizes_of(Scale scale, const std::function<Contestant(const std::string&, CurveCase)>& ours) {
-    std::vector<Contestant> contestants{ours("1M", fibonacci_case(1190, scaled(14, scale))),
-                                        ours("10M", fibonacci_case(1070, scaled(19, scale))),
-                                        ours("100M", fibonacci_case(967, scaled(24, scale)))};
-    for (Contestant& contestant : contestants) contestant.points = nullptr;
+    struct Size {
+        std::string name;
+        CurveCase curve;
+    };
+    std::vector<Contestant> contestants;
+    for (const Size& size :
+         {Size{"1M", fibonacci_case(1190, scaled(14, scale))}, Size{"10M", fibonacci_case(1070, scaled(19, scale))},
+          Size{"100M", fibonacci_case(967, scaled(24, scale))}}) {
+        contestants.push_back(ours(size.name, size.curve));
+        contestants.back().points = nullptr;
+        add_fills(contestants, refined_points(size.curve), '-' + size.name);
+    }
     return contestants;
 }
 
@@ -116,6 +181,7 @@ std::vector<Contestant> levels(Scale scale) {
 
 std::vector<Row> own_rows() {
     return {{"kinds-10M-reused", kinds},
+            {"bytes-10M-reused", bytes},
             {"levels-reused", levels},
             {"stores-24M-reused", stores_reused},
             {"stores-1M-reused", stores_of_a_million},

@@ -15,17 +15,21 @@ def number(value):
     return f"{value:.3g}" if value < 100 else f"{value:.0f}"
 
 
+def is_gain(claim):
+    return claim["kind"] in ("ratio", "threads")
+
+
 def outcome(claim):
     if claim["goal"] is None:
         return ""
-    reached = claim["ratio"] >= claim["goal"] if claim["kind"] == "ratio" else claim["ratio"] <= claim["goal"]
+    reached = claim["ratio"] >= claim["goal"] if is_gain(claim) else claim["ratio"] <= claim["goal"]
     return "reached" if reached else "**falls short**"
 
 
 def goal(claim):
     if claim["goal"] is None:
         return "none"
-    return ("≥ " if claim["kind"] == "ratio" else "≤ ") + number(claim["goal"])
+    return ("≥ " if is_gain(claim) else "≤ ") + number(claim["goal"])
 
 
 def opponent(claim):
@@ -64,6 +68,9 @@ text += "| work | regime | against | ratio | in a round | goal | |\n|---|---|---
 text += "".join(line(claim) for claim in report["claims"])
 text += (f"\nMedians of {report['repetitions']} interleaved repetitions. Contestants computed the same points: the largest "
          f"difference, relative to the largest coordinate, was {apart:.1g}.\n")
+if report["instructions"]:
+    counts = ", ".join(f"{case} {count:.2f}" for case, count in report["instructions"].items())
+    text += f"\nInstructions for a multiply-add by callgrind, loads and stores among them: {counts}.\n"
 page = pathlib.Path(sys.argv[2])
 before, _, rest = page.read_text().partition(begin)
 _, _, after = rest.partition(end)

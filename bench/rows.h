@@ -34,6 +34,7 @@ struct Row {
 [[nodiscard]] std::vector<Row> grid_rows();
 [[nodiscard]] std::vector<Row> memory_rows();
 [[nodiscard]] std::vector<Row> point_rows();
+[[nodiscard]] std::vector<Row> text_rows();
 /// Those that compare internode with itself.
 [[nodiscard]] std::vector<Row> own_rows();
 

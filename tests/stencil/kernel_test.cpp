@@ -19,14 +19,15 @@ struct Job {
     std::size_t width;
     std::size_t dimension;
     std::vector<std::size_t> rows;              ///< per cell
-    std::vector<Scalar> parents;                ///< cell i starts at parent i
+    std::vector<Scalar> parents;                ///< cell i starts at parent i; nothing behind the padding
     std::vector<std::vector<Scalar>> weights{}; ///< per cell, width a row
 };
 
 template<typename Scalar>
 Job<Scalar> random_job(std::size_t width, std::size_t dimension, Random& random) {
-    Job<Scalar> job{width, dimension, {1, 2, 1, 40, 3, 7}, {}};
-    job.parents.resize((job.rows.size() + width) * dimension + padding_bytes);
+    Job<Scalar> job{width, dimension, {1, 2, 1, 40, 3, 7, 8}, {}};
+    if (dimension < 100) job.rows.insert(job.rows.begin() + 2, 4096 / dimension + 21); // more than a stage has
+    job.parents.resize((job.rows.size() - 1 + width) * dimension + padding_bytes / sizeof(Scalar));
     for (Scalar& coordinate : job.parents) coordinate = static_cast<Scalar>(random.coordinate());
     for (const std::size_t rows : job.rows) {
         job.weights.emplace_back(rows * width);
@@ -56,18 +57,47 @@ std::vector<Scalar> expected(const Job<Scalar>& job) {
 
 enum class Way { Cached, Streamed, Staged };
 
-/// The kernel's points, written `shift` scalars behind a cache line between guards that must survive.
+/// As many groups in each cell as there can be, one less, or none.
+enum class Groups { All, Fewer, None };
+
+/// The cell's weights with the first `groups` groups of `group` rows as CellWork has them.
 template<typename Scalar>
-std::vector<Scalar> computed(const Job<Scalar>& job, Isa isa, Way way, std::size_t shift, std::size_t size) {
+std::vector<Scalar> grouped(const std::vector<Scalar>& weights, std::size_t width, std::size_t groups,
+                            std::size_t group) {
+    std::vector<Scalar> result = weights;
+    for (std::size_t g = 0; g < groups; ++g)
+        for (std::size_t r = 0; r < group; ++r)
+            for (std::size_t k = 0; k < width; ++k)
+                result[(g * width + k) * group + r] = weights[(g * group + r) * width + k];
+    return result;
+}
+
+/// How a job is done.
+struct Manner {
+    Isa isa;
+    Way way;
+    Groups groups;
+    std::size_t shift; ///< scalars between a cache line and the first point
+};
+
+/// The kernel's points, written between guards that must survive.
+template<typename Scalar>
+std::vector<Scalar> computed(const Job<Scalar>& job, const Manner& manner, std::size_t size) {
+    const auto [isa, way, groups, shift] = manner;
     constexpr std::size_t guard = 16;
     const Scalar untouched(7);
     std::vector<Scalar> memory(size + 3 * guard + shift, untouched);
     const std::size_t misplaced = reinterpret_cast<std::uintptr_t>(memory.data()) / sizeof(Scalar) % guard;
     const std::size_t first = 2 * guard - misplaced + shift;
-    std::vector<CellWork<Scalar>> work;
-    for (std::size_t cell = 0; cell < job.rows.size(); ++cell)
-        work.push_back({job.parents.data() + cell * job.dimension, job.weights[cell].data(), job.rows[cell]});
     const Kernels<Scalar> chosen = kernels<Scalar>(isa, job.width, job.dimension);
+    std::vector<CellWork<Scalar>> work;
+    std::vector<std::vector<Scalar>> weights;
+    for (std::size_t cell = 0; cell < job.rows.size(); ++cell) {
+        std::size_t count = chosen.group == 1 || groups == Groups::None ? 0 : job.rows[cell] / chosen.group;
+        if (groups == Groups::Fewer && count > 0) --count;
+        weights.push_back(grouped(job.weights[cell], job.width, count, chosen.group));
+        work.push_back({job.parents.data() + cell * job.dimension, weights.back().data(), job.rows[cell], count});
+    }
     if (way == Way::Staged) {
         LineStage<Scalar> stage;
         LineWriter<Scalar> writer(stage, memory.data() + first);
@@ -86,20 +116,28 @@ std::vector<Scalar> computed(const Job<Scalar>& job, Isa isa, Way way, std::size
 }
 
 template<typename Scalar>
+void check(const Job<Scalar>& job, const std::vector<Scalar>& wanted, const Manner& manner) {
+    if (manner.way == Way::Staged && job.dimension * sizeof(Scalar) > staged_point_bytes) return;
+    const auto points = computed(job, manner, wanted.size());
+    ASSERT_EQ(std::memcmp(points.data(), wanted.data(), wanted.size() * sizeof(Scalar)), 0)
+        << "width " << job.width << ", dimension " << job.dimension << ", shift " << manner.shift << ", way "
+        << static_cast<int>(manner.way) << ", groups " << static_cast<int>(manner.groups);
+}
+
+/// Every width and way, at every place that a scalar can have in a cache line where points are short.
+template<typename Scalar>
 void check_all(std::uint32_t seed) {
     Random random(seed);
     for (std::size_t width = 2; width <= 13; ++width)
-        for (const std::size_t dimension : {1, 2, 3, 4, 5, 8, 17, 1500}) {
+        for (const std::size_t dimension : {1, 2, 3, 4, 5, 6, 7, 8, 9, 15, 17, 70, 1500}) {
             const Job<Scalar> job = random_job<Scalar>(width, dimension, random);
             const std::vector<Scalar> wanted = expected(job);
+            const std::size_t shifts = width % 3 == 1 && dimension < 10 ? 64 / sizeof(Scalar) : 2;
             for (const Isa isa : {Isa::Plain, Isa::Avx2, Isa::Best})
                 for (const Way way : {Way::Cached, Way::Streamed, Way::Staged})
-                    for (const std::size_t shift : {0, 1, 3}) {
-                        if (way == Way::Staged && dimension * sizeof(Scalar) > staged_point_bytes) continue;
-                        const auto points = computed(job, isa, way, shift, wanted.size());
-                        ASSERT_EQ(std::memcmp(points.data(), wanted.data(), wanted.size() * sizeof(Scalar)), 0)
-                            << "width " << width << ", dimension " << dimension << ", shift " << shift;
-                    }
+                    for (const Groups groups : {Groups::All, Groups::Fewer, Groups::None})
+                        for (std::size_t shift = 0; shift < shifts; ++shift)
+                            check(job, wanted, {isa, way, groups, shift});
         }
 }
 

@@ -2,10 +2,9 @@
 
 #include "internode/io/npy.h"
 
-#include <algorithm>
-#include <bit>
+#include "internode/io/file/binary_buffer.h"
+
 #include <cassert>
-#include <cstdint>
 #include <string>
 
 namespace internode {
@@ -29,25 +28,15 @@ std::string npy_header(const PointsView& points) {
     return header + dictionary;
 }
 
-void append_little_endian(std::string& bytes, double value) {
-    const auto bits = std::bit_cast<std::uint64_t>(value);
-    for (unsigned shift = 0; shift < 64; shift += 8) bytes += static_cast<char>((bits >> shift) & 0xFFU);
-}
-
 } // namespace
 
 bool write_npy(Sink& sink, const PointsView& points) {
     require_whole_rows(points);
-    bool good = sink.write(npy_header(points));
-    constexpr std::size_t chunk = 8192; // doubles
-    std::string bytes;
-    for (std::size_t i = 0; good && i < points.coordinates.size(); i += chunk) {
-        const std::size_t count = std::min(chunk, points.coordinates.size() - i);
-        bytes.clear();
-        for (const double value : points.coordinates.subspan(i, count)) append_little_endian(bytes, value);
-        good = sink.write(bytes);
-    }
-    return good;
+    BinaryBuffer bytes(sink);
+    bytes.put(std::string_view(npy_header(points)));
+    for (const double coordinate : points.coordinates)
+        if (!bytes.put(coordinate).end_element()) return false;
+    return bytes.flush();
 }
 
 } // namespace internode

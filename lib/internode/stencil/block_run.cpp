@@ -14,6 +14,7 @@
 #include "internode/stencil/parallel.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <chrono>
 #include <limits>
@@ -33,11 +34,23 @@ constexpr double sure = 0.9;
 /// Cells that are handed to the kernel at once: their descriptions stay in the first cache.
 constexpr std::size_t batch = 128;
 
-/// The weights as the kernel wants them; floats are rounded once more.
+/// Rows of a table are put into groups when each makes so many points: it takes the time of a few.
+constexpr std::size_t points_to_group = 16;
+
+/// The weights as the kernel wants them: rounded once more for floats, and the first rows of each cell in groups.
 template<typename Scalar>
-std::vector<Scalar> converted(const std::vector<double>& weights) {
-    std::vector<Scalar> result(weights.size());
-    std::ranges::transform(weights, result.begin(), [](double weight) { return static_cast<Scalar>(weight); });
+std::vector<Scalar> arranged(const FusedStencils& stencils, std::size_t group) {
+    const std::size_t width = stencils.width;
+    std::vector<Scalar> result(stencils.weights.size());
+    std::ranges::transform(stencils.weights, result.begin(), [](double weight) { return static_cast<Scalar>(weight); });
+    if (group == 1) return result;
+    for (std::uint32_t state = 0; state < stencils.offset.size(); ++state) {
+        std::size_t row = stencils.first_row[state];
+        for (; row + group <= stencils.first_row[state + 1]; row += group)
+            for (std::size_t r = 0; r < group; ++r)
+                for (std::size_t k = 0; k < width; ++k)
+                    result[row * width + k * group + r] = static_cast<Scalar>(stencils.weights[(row + r) * width + k]);
+    }
     return result;
 }
 
@@ -78,13 +91,12 @@ public:
         , states_(states)
         , cells_(cells)
         , parents_(parents) {
-        if constexpr (!std::is_same_v<Scalar, double>) own_weights_ = converted<Scalar>(stencils.weights);
         assert(stencils.first_row.size() == stencils.offset.size() + 1);
         assert(stencils.weights.size() == stencils.row_count() * stencils.width);
         copy_ends();
     }
 
-    void run(Scalar* out, const ApplyOptions& options) const {
+    void run(Scalar* out, const ApplyOptions& options) {
         const std::size_t dimension = parents_.dimension;
         assert(dimension > 0);
         const std::size_t point_bytes = dimension * sizeof(Scalar);
@@ -94,6 +106,7 @@ public:
         const bool measures =
             options.stores == Stores::Measured && tasks.back().last_point * point_bytes >= measured_bytes;
         const Kernels<Scalar> kernels = internode::kernels<Scalar>(options.isa, stencils_.width, dimension);
+        arrange_weights(kernels.group, tasks.back().last_point);
         const auto run_task = [&](const Task& task, Store store) {
             Scalar* const place = out + task.first_point * dimension;
             if (store == Store::Streamed && point_bytes <= staged_point_bytes)
@@ -110,6 +123,17 @@ public:
     }
 
 private:
+    void arrange_weights(std::size_t group, std::size_t points) {
+        if (points / points_to_group < stencils_.row_count()) group = 1;
+        if (group > 1) group_shift_ = std::countr_zero(group);
+        if constexpr (std::is_same_v<Scalar, double>) {
+            weights_ = stencils_.weights.data();
+            if (group == 1) return;
+        }
+        own_weights_ = arranged<Scalar>(stencils_, group);
+        weights_ = own_weights_.data();
+    }
+
     /// Runs the tasks in the order cached, streamed, streamed, cached, … and tells whose fastest one was faster.
     template<typename RunTask>
     [[nodiscard]] static Store faster_store(std::span<const Task> tasks, const ApplyOptions& options,
@@ -167,13 +191,9 @@ private:
 
     [[nodiscard]] CellWork<Scalar> describe(std::size_t cell) const {
         const State state = states_[cell];
-        const std::size_t row = stencils_.first_row[state];
-        const Scalar* weights = nullptr;
-        if constexpr (std::is_same_v<Scalar, double>)
-            weights = stencils_.weights.data();
-        else
-            weights = own_weights_.data();
-        return {parents_of(cell, state), weights + row * stencils_.width, stencils_.rows(state)};
+        const std::size_t rows = stencils_.rows(state);
+        return {parents_of(cell, state), weights_ + stencils_.first_row[state] * stencils_.width, rows,
+                group_shift_ > 0 ? rows >> static_cast<unsigned>(group_shift_) : 0};
     }
 
     [[nodiscard]] const Scalar* parents_of(std::size_t cell, State state) const {
@@ -216,7 +236,9 @@ private:
     const State* states_;
     std::size_t cells_;
     ParentRows<Scalar> parents_;
-    std::vector<Scalar> own_weights_; ///< the weights as Scalar, when that is not double
+    const Scalar* weights_ = nullptr;
+    std::vector<Scalar> own_weights_; ///< where the kernel wants others than the table has
+    int group_shift_ = 0;             ///< a group has two to so many rows; 0: there are none
     std::size_t left_ = 0;            ///< cells before this read copies
     std::size_t right_ = 0;           ///< and from this on
     std::vector<Scalar> ends_;

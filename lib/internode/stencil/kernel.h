@@ -20,15 +20,16 @@ namespace internode {
 template<typename Scalar>
 struct CellWork {
     const Scalar* parents;
-    const Scalar* weights; ///< width a row
+    const Scalar* weights; ///< width a row; in groups weight after weight, each of all rows of the group
     std::size_t rows;
+    std::size_t groups; ///< of Kernels::group rows, that the first rows stand in
 };
 
-/// How a kernel writes by itself: by ordinary stores, or, points of more than 4 coordinates, past the caches.
+/// How a kernel writes by itself: by ordinary stores, or, points of more than 8 coordinates, past the caches.
 enum class Store { Cached, Streamed };
 
-/// Writes the new points of `count` cells one after the other, rows of `dimension` coordinates. With a dimension up to
-/// 4, each parent may be read up to 32 bytes from its start: padding_bytes behind the last point are the caller's.
+/// Writes the new points of `count` cells one after the other, rows of `dimension` coordinates. A parent of less than 32
+/// bytes may be read up to 32 bytes from its start: padding_bytes behind the last point are the caller's.
 template<typename Scalar>
 using Kernel = void (*)(const CellWork<Scalar>* cells, std::size_t count, std::size_t dimension, Scalar* out,
                         Store store);
@@ -38,8 +39,10 @@ template<typename Scalar>
 using StagedKernel = void (*)(const CellWork<Scalar>* cells, std::size_t count, std::size_t dimension,
                               LineWriter<Scalar>& out);
 
+/// Both do cells with groups and without.
 template<typename Scalar>
 struct Kernels {
+    std::size_t group = 1; ///< rows of a cell that are done at once, a power of two; 1: groups are not wanted
     Kernel<Scalar> direct = nullptr;
     StagedKernel<Scalar> staged = nullptr;
 };

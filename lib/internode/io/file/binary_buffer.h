@@ -6,10 +6,13 @@
 
 #include "internode/io/file/sink.h"
 
+#include <array>
 #include <bit>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace internode {
 
@@ -20,8 +23,10 @@ public:
 
     template<std::unsigned_integral T>
     BinaryBuffer& put(T value) {
-        for (unsigned shift = 0; shift < 8 * sizeof(T); shift += 8)
-            bytes_ += static_cast<char>((std::uint64_t{value} >> shift) & 0xFFU);
+        std::array<char, sizeof(T)> little{}; // compilers make one store of the loop
+        for (std::size_t i = 0; i < sizeof(T); ++i)
+            little[i] = static_cast<char>((std::uint64_t{value} >> (8 * i)) & 0xFFU);
+        bytes_.append(little.data(), little.size());
         return *this;
     }
     BinaryBuffer& put(double value) { return put(std::bit_cast<std::uint64_t>(value)); }
