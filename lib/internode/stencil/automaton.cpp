@@ -134,9 +134,12 @@ namespace {
 
 /// How many empty letters stand from place i on, going round in a circular word; stops counting beyond d.
 std::size_t zeros_from(WordView word, std::size_t i, std::size_t d) {
-    assert(!word.empty());
+    assert(i < word.size());
     std::size_t zeros = 0;
-    while (zeros <= d && word[(i + zeros) % word.size()] == zero_interval) ++zeros;
+    while (zeros <= d && word[i] == zero_interval) {
+        ++zeros;
+        if (++i == word.size()) i = 0;
+    }
     return zeros;
 }
 
@@ -180,7 +183,7 @@ private:
     std::size_t size_;
 };
 
-/// Calls visit(window, lead) for every cell of a word, from left to right.
+/// Calls visit(k, lead) for every cell k of a word, from left to right: the cell's window is around place k + lead.
 template<typename Visit>
 void for_each_cell(WordView word, int degree, Ends ends, Visit visit) {
     if (degree < 1) throw std::invalid_argument("a degree is at least 1");
@@ -193,7 +196,7 @@ void for_each_cell(WordView word, int degree, Ends ends, Visit visit) {
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t lead = open && k < d ? d - k : zeros_from(word, k, d);
         if (lead > d) throw std::invalid_argument("more than d intervals in a row are empty");
-        visit(Window(word, k + lead, d), static_cast<std::uint32_t>(lead));
+        visit(k, static_cast<std::uint32_t>(lead));
     }
 }
 
@@ -202,29 +205,78 @@ void for_each_cell(WordView word, int degree, Ends ends, Visit visit) {
 std::vector<CellState> cell_states(WordView word, int degree, Ends ends) {
     std::vector<CellState> states;
     states.reserve(word.size());
-    for_each_cell(word, degree, ends, [&](const Window& window, std::uint32_t lead) {
-        states.push_back({window.letters(), lead});
+    for_each_cell(word, degree, ends, [&](std::size_t k, std::uint32_t lead) {
+        states.push_back({Window(word, k + lead, static_cast<std::size_t>(degree)).letters(), lead});
     });
     return states;
 }
 
-NumberedCells numbered_cells(WordView word, int degree, Ends ends) {
-    NumberedCells numbered;
-    numbered.cells.reserve(word.size());
-    std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> same_hash;
-    for_each_cell(word, degree, ends, [&](const Window& window, std::uint32_t lead) {
-        std::vector<std::uint32_t>& candidates = same_hash[window.hash() + lead];
-        const auto is_it = [&](std::uint32_t known) {
-            return numbered.states[known].lead == lead && window.is(numbered.states[known].window);
-        };
-        const auto known = std::ranges::find_if(candidates, is_it);
-        if (known != candidates.end()) return numbered.cells.push_back(*known);
-        const auto added = static_cast<std::uint32_t>(numbered.states.size());
+namespace {
+
+/// Gives numbers to the states of cells in the order in which they are met.
+class CellNumbers {
+public:
+    CellNumbers(WordView word, int degree)
+        : word_(word)
+        , degree_(static_cast<std::size_t>(degree))
+        , last_((degree_ - 1) % word.size()) {
+        numbered_.cells.reserve(word.size());
+    }
+
+    /// The next cell.
+    void add(std::size_t k, std::uint32_t lead) {
+        const Symbol letter = word_[last_]; // of the window, where the lead is 0
+        const bool follows = lead == 0 && lead_ == 0 && k > 0;
+        if (follows && followers_[state_].known && followers_[state_].letter == letter) {
+            state_ = followers_[state_].state;
+        } else {
+            const std::uint32_t state = number(Window(word_, k + lead, degree_), lead);
+            if (follows) followers_[state_] = {true, letter, state};
+            state_ = state;
+        }
+        lead_ = lead;
+        numbered_.cells.push_back(state_);
+        if (++last_ == word_.size()) last_ = 0;
+    }
+
+    [[nodiscard]] NumberedCells take() && { return std::move(numbered_); }
+
+private:
+    /// A window without its first letter and with one more is the next one: what came the last time, by its new letter.
+    struct Follower {
+        bool known = false;
+        Symbol letter{};
+        std::uint32_t state = 0;
+    };
+
+    std::uint32_t number(const Window& window, std::uint32_t lead) {
+        std::vector<std::uint32_t>& candidates = same_hash_[window.hash() + lead];
+        for (const std::uint32_t known : candidates)
+            if (numbered_.states[known].lead == lead && window.is(numbered_.states[known].window)) return known;
+        const auto added = static_cast<std::uint32_t>(numbered_.states.size());
         candidates.push_back(added);
-        numbered.states.push_back({window.letters(), lead});
-        numbered.cells.push_back(added);
-    });
-    return numbered;
+        numbered_.states.push_back({window.letters(), lead});
+        followers_.push_back({});
+        return added;
+    }
+
+    WordView word_;
+    std::size_t degree_;
+    std::size_t last_;        ///< place of the last letter of the window around cell k
+    std::uint32_t state_ = 0; ///< of the cell before
+    std::uint32_t lead_ = 0;
+    NumberedCells numbered_;
+    std::vector<Follower> followers_; ///< of each state
+    std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> same_hash_;
+};
+
+} // namespace
+
+NumberedCells numbered_cells(WordView word, int degree, Ends ends) {
+    if (word.empty() || degree < 1) throw std::invalid_argument("a degree is at least 1, and a word has letters");
+    CellNumbers numbers(word, degree);
+    for_each_cell(word, degree, ends, [&](std::size_t k, std::uint32_t lead) { numbers.add(k, lead); });
+    return std::move(numbers).take();
 }
 
 } // namespace internode

@@ -8,15 +8,11 @@
 
 #include "internode/algebra/double_double.h"
 #include "internode/spline/window.h"
+#include "internode/stencil/blossom_rows.h"
 
-#include <array>
-#include <bit>
 #include <cassert>
-#include <cmath>
-#include <cstring>
 #include <limits>
 #include <numeric>
-#include <span>
 #include <stdexcept>
 
 namespace internode {
@@ -24,113 +20,22 @@ namespace {
 
 constexpr std::size_t max_width = 13; // degree 12
 
-/// Two rows side by side: what every processor of the machines here has, and no larger, so that the bytes are the same.
-typedef double TwoLanes __attribute__((vector_size(16))); // NOLINT(modernize-use-using): no attribute there
-
 /// Intermediate combinations larger than this lose the bits that make the rounded rows right.
 constexpr double largest_sum = 0x1p40;
-/// A weight below this cannot be seen in a sum of d+1 products; it is what is left of an exact 0.
-constexpr double smallest_weight = 0x1p-80;
 
-template<typename Real>
-constexpr std::size_t lane_count = sizeof(Real) / sizeof(double);
-
-template<typename Real>
-std::array<double, lane_count<Real>> lanes_of(Real lanes) {
-    return std::bit_cast<std::array<double, lane_count<Real>>>(lanes);
+/// Of a window's 2d knots.
+BlossomPiece piece_of(const std::vector<DoubleDouble>& knots) {
+    const std::size_t d = knots.size() / 2;
+    assert(knots.size() % 2 == 0 && d >= 1 && d < max_width && (knots[d] - knots[d - 1]).hi > 0);
+    BlossomPiece piece{d, {}, {}};
+    piece.knots.reserve(2 * d);
+    piece.reciprocals.reserve(d * (d + 1) / 2);
+    for (const DoubleDouble& knot : knots) piece.knots.push_back(knot);
+    for (std::size_t level = 1; level <= d; ++level)
+        for (std::size_t i = 0; i + level <= d; ++i)
+            piece.reciprocals.push_back(DoubleDouble{1, 0} / (knots[i + d] - knots[i + level - 1]));
+    return piece;
 }
-
-/// The same number in every lane.
-template<typename Real>
-PairOf<Real> spread(DoubleDouble value) {
-    if constexpr (lane_count<Real> == 1)
-        return value;
-    else
-        return {Real{value.hi, value.hi}, Real{value.lo, value.lo}};
-}
-
-/// Numbers in a row, read by lanes.
-class Arguments {
-public:
-    explicit Arguments(const std::vector<DoubleDouble>& values) {
-        for (const DoubleDouble& value : values) {
-            hi_.push_back(value.hi);
-            lo_.push_back(value.lo);
-        }
-    }
-
-    /// Numbers i, i + 1, …, one a lane.
-    template<typename Real>
-    [[nodiscard]] PairOf<Real> at(std::size_t i) const {
-        assert(i + lane_count<Real> <= hi_.size());
-        PairOf<Real> result;
-        std::memcpy(&result.hi, &hi_[i], sizeof(Real));
-        std::memcpy(&result.lo, &lo_[i], sizeof(Real));
-        return result;
-    }
-
-private:
-    std::vector<double> hi_;
-    std::vector<double> lo_;
-};
-
-/// The blossom over one window in pairs of doubles; as spline/blossom.h has it in K.
-class Piece {
-public:
-    explicit Piece(std::vector<DoubleDouble> local_knots)
-        : knots_(std::move(local_knots)) {
-        const std::size_t d = degree();
-        assert(knots_.size() % 2 == 0 && d >= 1 && d < max_width && (knots_[d] - knots_[d - 1]).hi > 0);
-        for (std::size_t level = 1; level <= d; ++level)
-            for (std::size_t i = 0; i + level <= d; ++i)
-                reciprocals_.push_back(DoubleDouble{1, 0} / (knots_[i + d] - knots_[i + level - 1]));
-    }
-
-    [[nodiscard]] std::size_t degree() const { return knots_.size() / 2; }
-    [[nodiscard]] double largest() const { return largest_; }
-
-    /// The d+1 weights at arguments `first` … `first` + d-1, and in the next lanes at those one further on.
-    template<typename Real>
-    std::array<PairOf<Real>, max_width> weights(const Arguments& arguments, std::size_t first) {
-        const std::size_t d = degree();
-        const PairOf<Real> one = spread<Real>({1, 0});
-        std::array<PairOf<Real>, max_width> row{};
-        row[0] = one;
-        for (std::size_t level = d; level >= 1; --level) {
-            const DoubleDouble* const reciprocals = reciprocals_of(level);
-            const auto x = arguments.at<Real>(first + level - 1);
-            // In place, from the right: entry i gives to i and i + 1.
-            for (std::size_t i = d - level + 1; i-- > 0;) {
-                const PairOf<Real> share = (x - spread<Real>(knots_[i + level - 1])) * spread<Real>(reciprocals[i]);
-                const PairOf<Real> given = row[i] * share;
-                row[i + 1] = row[i + 1] + given;
-                row[i] = row[i] - given;
-            }
-            measure<Real>(std::span(row).first(d + 1));
-        }
-        return row;
-    }
-
-private:
-    [[nodiscard]] const DoubleDouble* reciprocals_of(std::size_t level) const {
-        assert(level >= 1 && level <= degree());
-        // Level l has d - l + 1 of them.
-        const std::size_t d = degree();
-        return reciprocals_.data() + (level - 1) * (d + 1) - (level - 1) * level / 2;
-    }
-
-    template<typename Real>
-    void measure(std::span<const PairOf<Real>> row) {
-        Real sums{};
-        for (const PairOf<Real>& entry : row) sums += entry.hi < 0 ? -entry.hi : entry.hi;
-        for (const double sum : lanes_of(sums))
-            if (!(sum <= largest_)) largest_ = sum;
-    }
-
-    std::vector<DoubleDouble> knots_;
-    std::vector<DoubleDouble> reciprocals_;
-    double largest_ = 0;
-};
 
 class Fusion {
 public:
@@ -147,14 +52,14 @@ public:
     bool add_rows(std::uint32_t state, FusedStencils& table) const {
         const std::size_t before = table.weights.size();
         assert(table.rows(state) > 0 && before == table.first_row[state] * table.width);
-        Piece piece(local_knots(automaton_.state(state).window));
-        const Arguments knots(refined_knots(table, state));
+        const BlossomPiece piece = piece_of(local_knots(automaton_.state(state).window));
         const std::size_t rows = table.rows(state);
-        std::size_t row = 0;
-        for (; row + lane_count<TwoLanes> <= rows; row += lane_count<TwoLanes>)
-            add(piece.weights<TwoLanes>(knots, row), table);
-        for (; row < rows; ++row) add(piece.weights<double>(knots, row), table);
-        if (piece.largest() <= largest_sum) return true;
+        PairArray arguments;
+        arguments.reserve(rows + piece.degree - 1 + blossom_padding);
+        for (const DoubleDouble& knot : refined_knots(table, state)) arguments.push_back(knot);
+        for (std::size_t i = 0; i < blossom_padding; ++i) arguments.push_back({});
+        table.weights.resize(before + rows * table.width);
+        if (blossom_rows(piece, arguments, rows, table.weights.data() + before) <= largest_sum) return true;
         table.weights.resize(before);
         return false;
     }
@@ -183,6 +88,7 @@ private:
         const std::uint32_t last = table.first_row[state + 1] - 1;
         if (cell.lead > 0) return leading_knots(automaton_.state(table.descendants[first]).window, d, cell.lead);
         std::vector<DoubleDouble> knots;
+        knots.reserve(table.rows(state) + d - 1);
         DoubleDouble at;
         for (std::uint32_t row = first; row <= last; ++row) {
             const Word& window = automaton_.state(table.descendants[row]).window;
@@ -206,15 +112,6 @@ private:
         return {first, first + static_cast<std::ptrdiff_t>(d)};
     }
 
-    template<typename Real>
-    static void add(const std::array<PairOf<Real>, max_width>& rows, FusedStencils& table) {
-        for (std::size_t lane = 0; lane < lane_count<Real>; ++lane)
-            for (std::size_t i = 0; i < table.width; ++i) {
-                const double weight = lanes_of(rows[i].hi)[lane];
-                table.weights.push_back(std::abs(weight) < smallest_weight ? 0 : weight);
-            }
-    }
-
     const StencilAutomaton& automaton_;
     std::vector<DoubleDouble> lengths_;
     std::vector<DoubleDouble> refined_lengths_; ///< after the steps
@@ -224,6 +121,8 @@ private:
 void add_generation(const StencilAutomaton& automaton, FusedStencils& table) {
     std::vector<std::uint32_t> first_row{0};
     std::vector<std::uint32_t> descendants;
+    first_row.reserve(automaton.state_count() + 1);
+    descendants.reserve(2 * table.descendants.size());
     for (std::uint32_t state = 0; state < automaton.state_count(); ++state) {
         for (const StencilAutomaton::Child& child : automaton.children(state))
             descendants.insert(descendants.end(), table.descendants.begin() + table.first_row[child.state],

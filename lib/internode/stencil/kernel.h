@@ -28,8 +28,8 @@ struct CellWork {
 /// How a kernel writes by itself: by ordinary stores, or, points of more than 8 coordinates, past the caches.
 enum class Store { Cached, Streamed };
 
-/// Writes the new points of `count` cells one after the other, rows of `dimension` coordinates. A parent of less than 32
-/// bytes may be read up to 32 bytes from its start: padding_bytes behind the last point are the caller's.
+/// Writes the new points of `count` cells one after the other, rows of `dimension` coordinates. A parent of less than
+/// 32 bytes may be read up to 32 bytes from its start: padding_bytes behind the last point are the caller's.
 template<typename Scalar>
 using Kernel = void (*)(const CellWork<Scalar>* cells, std::size_t count, std::size_t dimension, Scalar* out,
                         Store store);

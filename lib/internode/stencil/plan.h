@@ -29,9 +29,8 @@ struct FusedStencils;
 struct PlanOptions {
     std::size_t table_bytes =
         24 * 1024; ///< size of the weights of a block: with room to spare in a first cache of 32 KiB
-    std::uint64_t points_per_row =
-        2048; ///< points that a block writes for a row of its table to pay: deriving one takes 1/20 of their time
-    int most_fused_steps = 64; ///< 1: step by step, with exact rows rounded once
+    std::uint64_t points_per_row = 256; ///< points that a block writes for a row of its table to pay
+    int most_fused_steps = 64;          ///< 1: step by step, with exact rows rounded once
     std::size_t state_limit = max_states;
 };
 
