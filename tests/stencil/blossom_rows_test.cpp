@@ -39,16 +39,20 @@ struct Made {
     double largest;
 };
 
-Made rows_of(const BlossomPiece& piece, const std::vector<Number>& arguments, Isa isa) {
-    PairArray pairs;
-    for (const Number& argument : arguments) pairs.push_back(to_double_double(argument));
+Made rows_of(const BlossomPiece& piece, PairArray pairs, Isa isa) {
+    const std::size_t rows = pairs.hi.size() - piece.degree + 1;
     for (std::size_t i = 0; i < blossom_padding; ++i) pairs.push_back({});
-    const std::size_t rows = arguments.size() - piece.degree + 1;
     Made made{std::vector<double>(rows * (piece.degree + 1) + 1, -7), 0};
     made.largest = blossom_rows(piece, pairs, rows, made.weights.data(), isa);
     EXPECT_EQ(made.weights.back(), -7) << "written behind the last row";
     made.weights.pop_back();
     return made;
+}
+
+PairArray pairs_of(const std::vector<Number>& numbers) {
+    PairArray pairs;
+    for (const Number& number : numbers) pairs.push_back(to_double_double(number));
+    return pairs;
 }
 
 TEST(BlossomRows, AreTheExactBlossomsRoundedInEverySet) {
@@ -61,8 +65,8 @@ TEST(BlossomRows, AreTheExactBlossomsRoundedInEverySet) {
             const Number step = (knots[degree] - knots[degree - 1]) / Number(static_cast<long>(rows + degree));
             for (std::size_t i = 0; i < rows + degree - 1; ++i)
                 arguments.push_back(knots[degree - 1] + step * Number(static_cast<long>(i + 1)));
-            const Made plain = rows_of(piece, arguments, Isa::Plain);
-            const Made best = rows_of(piece, arguments, Isa::Best);
+            const Made plain = rows_of(piece, pairs_of(arguments), Isa::Plain);
+            const Made best = rows_of(piece, pairs_of(arguments), Isa::Best);
             EXPECT_EQ(std::memcmp(plain.weights.data(), best.weights.data(), plain.weights.size() * sizeof(double)), 0);
             EXPECT_EQ(plain.largest, best.largest);
             EXPECT_GE(plain.largest, 1);
@@ -78,10 +82,12 @@ TEST(BlossomRows, AreTheExactBlossomsRoundedInEverySet) {
 
 TEST(BlossomRows, SayWhenARowHasNoNumbers) {
     const std::vector<Number> knots{Number(0), Number(1), Number(2), Number(3)};
-    BlossomPiece piece = piece_over(knots);
-    piece.reciprocals.hi.front() = std::numeric_limits<double>::quiet_NaN();
-    for (const Isa isa : {Isa::Plain, Isa::Best})
-        EXPECT_TRUE(std::isnan(rows_of(piece, std::vector<Number>(9, Number(1)), isa).largest));
+    const BlossomPiece piece = piece_over(knots);
+    for (std::size_t place = 0; place < 9; ++place) {
+        PairArray arguments = pairs_of(std::vector<Number>(9, Number(1)));
+        arguments.hi[place] = std::numeric_limits<double>::quiet_NaN(); // of one or two rows of eight
+        for (const Isa isa : {Isa::Plain, Isa::Best}) EXPECT_TRUE(std::isnan(rows_of(piece, arguments, isa).largest));
+    }
 }
 
 } // namespace

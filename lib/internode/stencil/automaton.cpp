@@ -226,7 +226,7 @@ public:
     /// The next cell.
     void add(std::size_t k, std::uint32_t lead) {
         const Symbol letter = word_[last_]; // of the window, where the lead is 0
-        const bool follows = lead == 0 && lead_ == 0 && k > 0;
+        const bool follows = lead == 0 && k > 0;
         if (follows && followers_[state_].known && followers_[state_].letter == letter) {
             state_ = followers_[state_].state;
         } else {
@@ -234,7 +234,6 @@ public:
             if (follows) followers_[state_] = {true, letter, state};
             state_ = state;
         }
-        lead_ = lead;
         numbered_.cells.push_back(state_);
         if (++last_ == word_.size()) last_ = 0;
     }
@@ -242,7 +241,8 @@ public:
     [[nodiscard]] NumberedCells take() && { return std::move(numbered_); }
 
 private:
-    /// A window without its first letter and with one more is the next one: what came the last time, by its new letter.
+    /// A window without its first letter and with one more is the next one, and a lead of 1 ends in the same window: so
+    /// the state before and the last letter give the state. What came the last time.
     struct Follower {
         bool known = false;
         Symbol letter{};
@@ -264,7 +264,6 @@ private:
     std::size_t degree_;
     std::size_t last_;        ///< place of the last letter of the window around cell k
     std::uint32_t state_ = 0; ///< of the cell before
-    std::uint32_t lead_ = 0;
     NumberedCells numbered_;
     std::vector<Follower> followers_; ///< of each state
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> same_hash_;
