@@ -79,6 +79,11 @@ std::string extension(const std::string& path) {
     return text;
 }
 
+/// A name whose dots mean nothing. What stands in memory by way of /dev/shm is a file like any other.
+bool is_device(const std::string& path) {
+    return path.rfind("/dev/", 0) == 0 && path.rfind("/dev/shm/", 0) != 0;
+}
+
 /// The format that an extension stands for; the extension itself where none does.
 std::string format_of(const std::string& written) {
     for (const Format& format : all_formats)
@@ -145,9 +150,9 @@ std::string chosen_format(const OutputTarget& target, const OutputOf& output, st
         throw failure(ExitCode::Usage, fmt::format("no format {} for this output", target.format),
                       fmt::format("use one of {}", fmt::join(names, ", ")));
     if (!target.format.empty()) return target.format;
-    if (target.file == "-" || target.file.rfind("/dev/", 0) == 0 || name.empty())
-        return usual.empty() ? names.front() : std::string(usual);
     if (known) return name;
+    if (target.file == "-" || is_device(target.file) || name.empty())
+        return usual.empty() ? names.front() : std::string(usual);
     throw failure(ExitCode::Usage, fmt::format("no format for the extension `.{}`", written),
                   fmt::format("use one of {}, or --format", proposed_extensions(names)));
 }

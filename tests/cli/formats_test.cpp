@@ -140,6 +140,22 @@ TEST(Formats, EveryRowIsWritten) {
         EXPECT_EQ(Workspace().run({"masks", "@fibonacci", "-d", "2", "--format", form}).code, 0) << form;
 }
 
+TEST(Formats, OfFilesInMemoryAreThoseOfTheirExtensionsAndOfDevicesTheUsualOne) {
+    const Workspace here;
+    const std::string line = "\"$INTERNODE\" subdivide @fibonacci data/curves/fibonacci-open.json -n 1 -o ";
+    const Outcome device = here.shell(line + "/dev/fd/3 3>&1 >/dev/null");
+    EXPECT_EQ(device.code, 0) << device.err;
+    EXPECT_EQ(device.out, here.run({"subdivide", "@fibonacci", "data/curves/fibonacci-open.json", "-n", "1"}).out);
+    if (!std::filesystem::is_directory("/dev/shm")) GTEST_SKIP() << "no /dev/shm here";
+    const Outcome memory =
+        here.shell("file=$(mktemp /dev/shm/internode.XXXXXX.npy) && " + line + "$file && cat $file; rm -f $file");
+    EXPECT_EQ(memory.code, 0) << memory.err;
+    EXPECT_THAT(memory.out, testing::StartsWith("\x93NUMPY"));
+    const Outcome refused = here.shell(line + "/dev/shm/internode.png");
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("no format for the extension `.png`"));
+}
+
 TEST(Formats, OfHelpAreThoseOfTheTable) {
     std::map<std::string, std::set<std::string>> written;
     for (const Row& row : table())
