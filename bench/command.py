@@ -71,9 +71,6 @@ def row(work, arguments, threads=True):
 def in_binary(work, arguments, suffix):
     """A row: into nothing, into memory, into a file; and a copy of as many bytes into the same two places."""
     places = {"memory": memory / f"internode-bench{suffix}", "file": folder / f"bench{suffix}"}
-    sink = folder / f"null{suffix}"
-    sink.unlink(missing_ok=True)
-    sink.symlink_to("/dev/null")
     run([internode, *arguments, "-o", places["file"]])
     source = folder / f"source{suffix}"
     shutil.copyfile(places["file"], source)
@@ -83,7 +80,7 @@ def in_binary(work, arguments, suffix):
         contestants["copy-" + name] = ["cp", source, str(place) + ".copy"]
     figures = measured(contestants)
     size = source.stat().st_size
-    for place in [sink, source, *places.values(), *(pathlib.Path(str(place) + ".copy") for place in places.values())]:
+    for place in [source, *places.values(), *(pathlib.Path(str(place) + ".copy") for place in places.values())]:
         place.unlink(missing_ok=True)
     seconds = {name: figures[name][0] for name in contestants}
     return (f"| {work}, {size / 1e6:.0f} MB | {text(seconds['null'])} | {text(seconds['memory'])} | "
@@ -114,5 +111,6 @@ for suffix in (".ply", ".stl"):
 refined.unlink()
 before, _, rest = page.read_text().partition(begin)
 _, _, after = rest.partition(end)
-page.write_text(before + begin + "\n" + lines + f"\nMedians of {repetitions} interleaved runs of whole processes.\n\n" +
+page.write_text(before + begin + "\n" + lines + f"\nMedians of {repetitions} interleaved runs of whole processes. Before: "
+                "the internode given to `scripts/bench` to compare with.\n\n" +
                 end + after)
