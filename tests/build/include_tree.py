@@ -21,7 +21,7 @@ FLOORS = [
     ["interval"],
     ["spline"],
     ["stencil"],
-    ["curve", "surface"],
+    ["curve", "surface", "mesh"],
     ["point"],
     ["io"],
     ["input"],
