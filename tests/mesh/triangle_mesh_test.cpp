@@ -277,8 +277,9 @@ private:
 TEST(Stellar, OperatorsAreThoseOfPlainTrianglesAndRefuseWhatIsNoMesh) {
     std::size_t done = 0;
     std::size_t refused = 0;
-    for (const auto& [name, shape] : shapes()) {
-        SCOPED_TRACE(name);
+    for (const auto& named : shapes()) {
+        const Shape& shape = named.second;
+        SCOPED_TRACE(named.first);
         const auto with = [&](auto operate) {
             Trial trial(shape);
             operate(trial);

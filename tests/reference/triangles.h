@@ -93,7 +93,7 @@ private:
         return triangle;
     }
     static Triangle first_smallest(Triangle triangle) {
-        std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+        std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
         return triangle;
     }
     void add(const Triangle& triangle) { triangles_.push_back(first_smallest(triangle)); }
