@@ -132,11 +132,11 @@ void check_all(std::uint32_t seed) {
         for (const std::size_t dimension : {1, 2, 3, 4, 5, 6, 7, 8, 9, 15, 17, 70, 1500}) {
             const Job<Scalar> job = random_job<Scalar>(width, dimension, random);
             const std::vector<Scalar> wanted = expected(job);
-            const std::size_t shifts = width % 3 == 1 && dimension < 10 ? 64 / sizeof(Scalar) : 2;
+            const std::size_t shifts = (width == 4 || width == 13) && dimension < 10 ? 64 / sizeof(Scalar) : 2;
             for (const Isa isa : {Isa::Plain, Isa::Avx2, Isa::Best})
                 for (const Way way : {Way::Cached, Way::Streamed, Way::Staged})
                     for (const Groups groups : {Groups::All, Groups::Fewer, Groups::None})
-                        for (std::size_t shift = 0; shift < shifts; ++shift)
+                        for (std::size_t shift = 0; shift < (groups == Groups::Fewer ? 2 : shifts); ++shift)
                             check(job, wanted, {isa, way, groups, shift});
         }
 }
