@@ -26,9 +26,6 @@ struct PieceView {
 
 namespace {
 
-/// A weight below this cannot be seen in a sum of d+1 products.
-constexpr double smallest_weight = 0x1p-80;
-
 /// The same number in every lane.
 template<typename Real>
 inline PairOf<Real> in_every_lane(double hi, double lo) {
@@ -74,7 +71,8 @@ template<typename Real>
 inline double blossom_rows_by_lanes(const PieceView& piece, const double* hi, const double* lo, std::size_t rows,
                                     double* weights) {
     constexpr std::size_t lanes = sizeof(Real) / sizeof(double);
-    constexpr std::size_t max_width = 13; // degree 12
+    constexpr std::size_t max_width = 13;       // degree 12
+    constexpr double smallest_weight = 0x1p-80; // one below it cannot be seen in a sum of d+1 products
     const std::size_t width = piece.degree + 1;
     double largest = 0;
     for (std::size_t first = 0; first < rows; first += lanes) {
