@@ -20,7 +20,7 @@ std::string_view description(StellarRefusal refusal) {
     case StellarRefusal::DoubledFace:
         return "there is such a face already";
     case StellarRefusal::Valence:
-        return "a vertex has too few edges for it, or too many";
+        return "the vertex has not as many edges as a split gives it";
     case StellarRefusal::NotIncident:
         return "the edge does not end at the vertex";
     case StellarRefusal::Across:
@@ -101,9 +101,8 @@ StellarRefusal TriangleMesh::weld(Vertex m, Edge kept) {
     const HalfEdge ym = my == no_half_edge ? no_half_edge : twin(my);
     const Vertex a = ma == no_half_edge ? origin(am) : target(ma);
     const Vertex b = origin(previous(mx == no_half_edge ? ym : mx));
+    // Where x or y has three edges only, a and b are joined already: no vertex is left with too few.
     if (edge_between(a, b)) return StellarRefusal::DoubledEdge;
-    if (xm != no_half_edge && !can_spare_an_edge(origin(xm))) return StellarRefusal::Valence;
-    if (my != no_half_edge && !can_spare_an_edge(target(my))) return StellarRefusal::Valence;
 
     std::vector<Face> faces;
     std::vector<Edge> edges{edge(mx == no_half_edge ? next(ym) : previous(mx))};
@@ -169,7 +168,6 @@ StellarRefusal TriangleMesh::flip_problem(Edge e) const {
     const HalfEdge ba = twin(ab);
     if (ba == no_half_edge) return StellarRefusal::Boundary;
     if (edge_between(origin(previous(ab)), origin(previous(ba)))) return StellarRefusal::DoubledEdge;
-    if (!can_spare_an_edge(origin(ab)) || !can_spare_an_edge(origin(ba))) return StellarRefusal::Valence;
     return StellarRefusal::None;
 }
 

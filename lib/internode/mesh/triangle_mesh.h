@@ -27,7 +27,7 @@ enum class StellarRefusal {
     Boundary,    ///< the edge has one face only
     DoubledEdge, ///< there is such an edge already
     DoubledFace, ///< there is such a face already
-    Valence,     ///< a vertex would have too few edges left, or the welded one has others than its split gave it
+    Valence,     ///< the vertex has not as many edges as the split gave it
     NotIncident, ///< the edge does not end at the vertex
     Across,      ///< the vertex is on a boundary and the edge is not
 };
@@ -116,7 +116,7 @@ public:
     FaceSplit split(Face f);
     /// The inverse of the split of an edge: `kept` and the edge straight on become one, which is `kept` (though its
     /// handle may be another afterwards: the last edge moves). Refuses a vertex that has not four edges, or three at a
-    /// boundary, and what would double an edge or leave a vertex too few.
+    /// boundary, and what would double an edge: so no vertex is left with too few.
     StellarRefusal weld(Vertex m, Edge kept);
     /// The inverse of the split of a face. Refuses a vertex at a boundary, or of another valence than 3, and what would
     /// double a face.
@@ -156,7 +156,6 @@ private:
     enum class Turn { Counterclockwise, Clockwise };
     void turn(Edge e, Turn turn);
     [[nodiscard]] StellarRefusal flip_problem(Edge e) const;
-    [[nodiscard]] bool can_spare_an_edge(Vertex v) const { return valence(v) > (is_boundary(v) ? 2U : 3U); }
 
     // Of half-edges.
     std::vector<Vertex> origin_;

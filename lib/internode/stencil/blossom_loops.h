@@ -6,6 +6,7 @@
 #pragma once
 
 #include "internode/stencil/blossom_rows.h"
+#include "internode/stencil/kernel.h"
 
 #include <cstring>
 
@@ -71,12 +72,11 @@ template<typename Real>
 inline double blossom_rows_by_lanes(const PieceView& piece, const double* hi, const double* lo, std::size_t rows,
                                     double* weights) {
     constexpr std::size_t lanes = sizeof(Real) / sizeof(double);
-    constexpr std::size_t max_width = 13;       // degree 12
     constexpr double smallest_weight = 0x1p-80; // one below it cannot be seen in a sum of d+1 products
     const std::size_t width = piece.degree + 1;
     double largest = 0;
     for (std::size_t first = 0; first < rows; first += lanes) {
-        PairOf<Real> row[max_width];
+        PairOf<Real> row[max_row_width];
         Real sums{};
         blossom_row(piece, hi + first, lo + first, row, sums);
         for (std::size_t lane = 0; lane < lanes && first + lane < rows; ++lane) {

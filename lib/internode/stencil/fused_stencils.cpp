@@ -9,6 +9,7 @@
 #include "internode/algebra/double_double.h"
 #include "internode/spline/window.h"
 #include "internode/stencil/blossom_rows.h"
+#include "internode/stencil/kernel.h"
 
 #include <cassert>
 #include <limits>
@@ -18,15 +19,13 @@
 namespace internode {
 namespace {
 
-constexpr std::size_t max_width = 13; // degree 12
-
 /// Intermediate combinations larger than this lose the bits that make the rounded rows right.
 constexpr double largest_sum = 0x1p40;
 
 /// Of a window's 2d knots.
 BlossomPiece piece_of(const std::vector<DoubleDouble>& knots) {
     const std::size_t d = knots.size() / 2;
-    assert(knots.size() % 2 == 0 && d >= 1 && d < max_width && (knots[d] - knots[d - 1]).hi > 0);
+    assert(knots.size() % 2 == 0 && d >= 1 && d < max_row_width && (knots[d] - knots[d - 1]).hi > 0);
     BlossomPiece piece{d, {}, {}};
     piece.knots.reserve(2 * d);
     piece.reciprocals.reserve(d * (d + 1) / 2);
