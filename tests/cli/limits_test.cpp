@@ -52,7 +52,6 @@ const std::map<std::string, std::string> refuse_nothing{
     {"max_threads", "more threads are as many"},
     {"max_validated_coefficients", "smoothness is left out, and `validate` says so"},
     {"max_visits", "a length that is not known beforehand"},
-    {"max_width", "degree 12 and 1"},
     {"max_work", "a longer proof is given up, and `validate` says so"},
 };
 
