@@ -26,11 +26,8 @@ std::vector<Number> whole_knots(std::size_t degree, tests::Random& random) {
 
 BlossomPiece piece_over(const std::vector<Number>& knots) {
     const std::size_t d = knots.size() / 2;
-    BlossomPiece piece{d, {}, {}};
+    BlossomPiece piece{d, {}};
     for (const Number& knot : knots) piece.knots.push_back(to_double_double(knot));
-    for (std::size_t level = 1; level <= d; ++level)
-        for (std::size_t i = 0; i + level <= d; ++i)
-            piece.reciprocals.push_back(to_double_double(Number(1) / (knots[i + d] - knots[i + level - 1])));
     return piece;
 }
 

@@ -26,6 +26,11 @@ std::vector<bool> every(const StencilAutomaton& automaton) {
     return std::vector<bool>(automaton.state_count(), true);
 }
 
+std::optional<FusedStencils> table_of(const StencilAutomaton& automaton, const IntervalSystem& system, int steps,
+                                      const std::vector<bool>& wanted) {
+    return IntervalFuser(std::make_shared<const StencilAutomaton>(automaton), system).table(steps, wanted);
+}
+
 /// A word with all symbols that occur, closed, and one with zeros at its ends.
 std::vector<CellState> some_cells(const IntervalSystem& system, int degree) {
     Word word;
@@ -42,7 +47,7 @@ void check_against_exact(const IntervalSystem& system, int degree, int steps, co
                          tests::Compared& compared) {
     SCOPED_TRACE(name + ", degree " + std::to_string(degree) + ", steps " + std::to_string(steps));
     const StencilAutomaton automaton = make_automaton(system, degree, some_cells(system, degree), max_states);
-    const auto fused = fuse(automaton, system, steps, every(automaton));
+    const auto fused = table_of(automaton, system, steps, every(automaton));
     ASSERT_TRUE(fused.has_value());
     if (fused->row_count() > most_rows) return;
     const IntervalSystem whole = power(system, steps);
@@ -88,7 +93,7 @@ TEST(FusedStencils, SumToOneWithinTheRoundingOfEachWeight) {
         for (int degree = 1; degree <= 8; ++degree) {
             const IntervalSystem system = system_of(text);
             const StencilAutomaton automaton = make_automaton(system, degree, some_cells(system, degree), max_states);
-            const auto fused = fuse(automaton, system, 5, every(automaton));
+            const auto fused = table_of(automaton, system, 5, every(automaton));
             ASSERT_TRUE(fused.has_value()) << name;
             for (std::size_t row = 0; row < fused->row_count(); ++row) {
                 double sum = 0;
@@ -104,8 +109,8 @@ TEST(FusedStencils, KeepOnlyTheStatesThatAreWanted) {
         make_automaton(system, 3, cell_states(word_of(system, "LSLLS"), 3, Ends::Circular), max_states);
     std::vector<bool> wanted(automaton.state_count());
     wanted[1] = true;
-    const auto some = fuse(automaton, system, 4, wanted);
-    const auto all = fuse(automaton, system, 4, every(automaton));
+    const auto some = table_of(automaton, system, 4, wanted);
+    const auto all = table_of(automaton, system, 4, every(automaton));
     ASSERT_TRUE(some && all);
     EXPECT_EQ(some->row_count(), all->rows(1));
     const auto first = all->weights.begin() + static_cast<std::ptrdiff_t>(all->first_row[1] * all->width);
@@ -117,8 +122,8 @@ TEST(FusedStencils, SayWhenLengthsAreTooUneven) {
     const IntervalSystem system = system_of("A->AA, B->BB\nlength A = 1\nlength B = 1000000000000");
     const StencilAutomaton automaton =
         make_automaton(system, 5, cell_states(word_of(system, "AABBBAB"), 5, Ends::Circular), max_states);
-    EXPECT_TRUE(fuse(automaton, system, 1, every(automaton)).has_value());
-    EXPECT_FALSE(fuse(automaton, system, 2, every(automaton)).has_value());
+    EXPECT_TRUE(table_of(automaton, system, 1, every(automaton)).has_value());
+    EXPECT_FALSE(table_of(automaton, system, 2, every(automaton)).has_value());
 }
 
 TEST(FusedStencils, OfOneStepTakeExactRowsWherePairsOfDoublesDoNotSuffice) {
@@ -127,8 +132,8 @@ TEST(FusedStencils, OfOneStepTakeExactRowsWherePairsOfDoublesDoNotSuffice) {
         cell_states(word_of(system, "AAAAAAAAAAAABBBBBBBBBBBBBBAB"), 5, Ends::Circular);
     const StencilAutomaton exact = make_automaton(system, 5, cells, max_states);
     const StencilAutomaton bare = make_automaton(system, 5, cells, max_states, AutomatonRows::None);
-    const auto of_exact = fuse(exact, system, 1, every(exact));
-    const auto of_bare = fuse(bare, system, 1, every(bare));
+    const auto of_exact = table_of(exact, system, 1, every(exact));
+    const auto of_bare = table_of(bare, system, 1, every(bare));
     ASSERT_TRUE(of_exact && of_bare);
     ASSERT_GT(of_exact->row_count(), 30U);
     EXPECT_EQ(of_bare->descendants, of_exact->descendants);
@@ -145,8 +150,8 @@ TEST(FusedStencils, RefuseNoStepsAndAWrongWish) {
     const IntervalSystem system = system_of("A->AA");
     const StencilAutomaton automaton =
         make_automaton(system, 2, cell_states(word_of(system, "AAA"), 2, Ends::Circular), max_states);
-    EXPECT_THROW((void)fuse(automaton, system, 0, every(automaton)), std::invalid_argument);
-    EXPECT_THROW((void)fuse(automaton, system, 1, {}), std::invalid_argument);
+    EXPECT_THROW((void)table_of(automaton, system, 0, every(automaton)), std::invalid_argument);
+    EXPECT_THROW((void)table_of(automaton, system, 1, {}), std::invalid_argument);
 }
 
 } // namespace

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 namespace internode {
@@ -145,6 +146,26 @@ std::pair<Rational, Rational> ball(const eantic::renf_elem_class& value, slong b
     arb_clear(approximation);
     assert(ends.first <= ends.second);
     return ends;
+}
+
+/// The double that both ends of a ball of the first bits round to; none where they do not, or near the ends of the
+/// range, where doubles have fewer bits.
+std::optional<double> nearest_normal(const eantic::renf_elem_class& value) {
+    arb_t approximation;
+    arf_t lower;
+    arf_t upper;
+    arb_init(approximation);
+    arf_init(lower);
+    arf_init(upper);
+    renf_elem_get_arb(approximation, value.renf_elem_t(), value.parent().renf_t(), embedding_bits);
+    arb_get_interval_arf(lower, upper, approximation, embedding_bits);
+    const double nearest = arf_get_d(lower, ARF_RND_NEAR);
+    const bool is_sure = nearest == arf_get_d(upper, ARF_RND_NEAR);
+    arf_clear(upper);
+    arf_clear(lower);
+    arb_clear(approximation);
+    const double magnitude = std::abs(nearest);
+    return is_sure && magnitude > 0x1p-1000 && magnitude < 0x1p1000 ? std::optional(nearest) : std::nullopt;
 }
 
 std::string superscript(std::size_t exponent) {
@@ -285,6 +306,7 @@ double Number::to_double() const {
     const eantic::renf_elem_class& value = Impl::of(*this);
     if (value.is_rational()) return internode::to_double(static_cast<mpq_class>(value));
     // Irrational, hence no tie: both ends round to the same double once they are close enough.
+    if (const std::optional<double> nearest = nearest_normal(value)) return *nearest;
     for (slong bits = embedding_bits;; bits *= 2) {
         const auto [lower, upper] = ball(value, bits);
         const double nearest = internode::to_double(lower);

@@ -77,11 +77,14 @@ std::vector<Number> WindowPiece::bezier(std::size_t b) const {
 std::vector<Word> child_windows(const Morphism& rules, WordView window) {
     assert(window.size() % 2 == 1);
     const std::size_t middle = window.size() / 2;
-    const std::size_t first = rules(window.first(middle)).size();
     const Word image = rules(window);
+    std::size_t first = 0; // child of the middle letter
+    for (const Symbol letter : window.first(middle)) first += rules.image(letter).size();
+    assert(first >= middle);
     std::vector<Word> windows;
-    for (std::size_t c = 0; c < rules.image(window[middle]).size(); ++c) {
-        assert(first + c >= middle);
+    const std::size_t count = rules.image(window[middle]).size();
+    windows.reserve(count);
+    for (std::size_t c = 0; c < count; ++c) {
         const auto begin = image.begin() + static_cast<std::ptrdiff_t>(first + c - middle);
         windows.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(window.size()));
     }

@@ -9,9 +9,11 @@
 #include "internode/spline/window.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace internode {
@@ -194,7 +196,7 @@ void for_each_cell(WordView word, int degree, Ends ends, Visit visit) {
     if (open && (word[d] == zero_interval || word[count - 1] == zero_interval))
         throw std::invalid_argument("the domain begins or ends with an empty interval");
     for (std::size_t k = 0; k < count; ++k) {
-        const std::size_t lead = open && k < d ? d - k : zeros_from(word, k, d);
+        const std::size_t lead = open && k < d ? d - k : word[k] == zero_interval ? zeros_from(word, k, d) : 0;
         if (lead > d) throw std::invalid_argument("more than d intervals in a row are empty");
         visit(k, static_cast<std::uint32_t>(lead));
     }
@@ -227,11 +229,13 @@ public:
     void add(std::size_t k, std::uint32_t lead) {
         const Symbol letter = word_[last_]; // of the window, where the lead is 0
         const bool follows = lead == 0 && k > 0;
-        if (follows && followers_[state_].known && followers_[state_].letter == letter) {
-            state_ = followers_[state_].state;
+        if (!follows) {
+            state_ = number(Window(word_, k + lead, degree_), lead);
+        } else if (const std::optional<std::uint32_t> known = followers_[state_].find(letter)) {
+            state_ = *known;
         } else {
             const std::uint32_t state = number(Window(word_, k + lead, degree_), lead);
-            if (follows) followers_[state_] = {true, letter, state};
+            followers_[state_].remember(letter, state);
             state_ = state;
         }
         numbered_.cells.push_back(state_);
@@ -242,11 +246,23 @@ public:
 
 private:
     /// A window without its first letter and with one more is the next one, and a lead of 1 ends in the same window: so
-    /// the state before and the last letter give the state. What came the last time.
-    struct Follower {
-        bool known = false;
-        Symbol letter{};
-        std::uint32_t state = 0;
+    /// the state before and the last letter give the state. What came the last two times by different letters.
+    class Followers {
+    public:
+        [[nodiscard]] std::optional<std::uint32_t> find(Symbol letter) const {
+            for (const Follower& one : last_)
+                if (one.known && one.letter == letter) return one.state;
+            return std::nullopt;
+        }
+        void remember(Symbol letter, std::uint32_t state) { last_ = {Follower{true, letter, state}, last_[0]}; }
+
+    private:
+        struct Follower {
+            bool known = false;
+            Symbol letter{};
+            std::uint32_t state = 0;
+        };
+        std::array<Follower, 2> last_;
     };
 
     std::uint32_t number(const Window& window, std::uint32_t lead) {
@@ -265,7 +281,7 @@ private:
     std::size_t last_;        ///< place of the last letter of the window around cell k
     std::uint32_t state_ = 0; ///< of the cell before
     NumberedCells numbered_;
-    std::vector<Follower> followers_; ///< of each state
+    std::vector<Followers> followers_; ///< of each state
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> same_hash_;
 };
 

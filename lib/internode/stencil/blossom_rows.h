@@ -24,6 +24,10 @@ struct PairArray {
         hi.reserve(size);
         lo.reserve(size);
     }
+    void clear() {
+        hi.clear();
+        lo.clear();
+    }
     void push_back(DoubleDouble value) {
         hi.push_back(value.hi);
         lo.push_back(value.lo);
@@ -32,13 +36,12 @@ struct PairArray {
 
 /// The blossom over one window, as spline/blossom.h has it in K.
 struct BlossomPiece {
-    std::size_t degree;    ///< d, 1 … 12
-    PairArray knots;       ///< 2d, ascending; the middle two differ
-    PairArray reciprocals; ///< 1/(u_{i+d} - u_{i+l-1}) for level l = 1 … d and i = 0 … d-l
+    std::size_t degree; ///< d, 1 … 12
+    PairArray knots;    ///< 2d, ascending; the middle two differ
 };
 
 /// Arguments behind the last one that blossom_rows() may read.
-inline constexpr std::size_t blossom_padding = 3;
+inline constexpr std::size_t blossom_padding = 7;
 
 /// The d+1 weights of the blossom at arguments r … r+d-1, for every row r of `rows`, width d+1 a row. `arguments` has
 /// rows + d - 1 of them and blossom_padding more. Weights below 2^-80 are what is left of an exact 0, and are 0.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The rows of k steps at once are blossoms of the same old interval at the knots after k steps. They are taken in pairs
-// of doubles from exact lengths and rounded once, two rows side by side. Where intermediate sums are so large that 106
+// of doubles from exact lengths and rounded once, several rows side by side. Where intermediate sums are so large that 106
 // bits might not do, there is no table, and the plan goes step by step; the rows of one step are then exact.
 
 #include "internode/stencil/fused_stencils.h"
@@ -22,99 +22,107 @@ namespace {
 /// Intermediate combinations larger than this lose the bits that make the rounded rows right.
 constexpr double largest_sum = 0x1p40;
 
-/// Of a window's 2d knots.
-BlossomPiece piece_of(const std::vector<DoubleDouble>& knots) {
-    const std::size_t d = knots.size() / 2;
-    assert(knots.size() % 2 == 0 && d >= 1 && d < max_row_width && (knots[d] - knots[d - 1]).hi > 0);
-    BlossomPiece piece{d, {}, {}};
-    piece.knots.reserve(2 * d);
-    piece.reciprocals.reserve(d * (d + 1) / 2);
-    for (const DoubleDouble& knot : knots) piece.knots.push_back(knot);
-    for (std::size_t level = 1; level <= d; ++level)
-        for (std::size_t i = 0; i + level <= d; ++i)
-            piece.reciprocals.push_back(DoubleDouble{1, 0} / (knots[i + d] - knots[i + level - 1]));
-    return piece;
-}
+} // namespace
 
-class Fusion {
+/// Fills a table for one number of steps; what it needs for a state is kept for the next one.
+class IntervalFuser::Rows {
 public:
-    Fusion(const StencilAutomaton& automaton, const IntervalSystem& system, int steps)
-        : automaton_(automaton) {
-        for (const Number& length : system.lengths()) lengths_.push_back(to_double_double(length));
+    Rows(const StencilAutomaton& automaton, const Lengths& lengths, FusedStencils& table)
+        : automaton_(automaton)
+        , lengths_(lengths)
+        , table_(table)
+        , degree_(table.width - 1) {
         DoubleDouble scale{1, 0};
-        const DoubleDouble ratio = to_double_double(system.ratio());
-        for (int step = 0; step < steps; ++step) scale = scale / ratio;
-        for (const DoubleDouble& length : lengths_) refined_lengths_.push_back(length * scale);
+        for (int step = 0; step < table.steps; ++step) scale = scale / lengths.ratio;
+        for (const DoubleDouble& length : lengths.of_symbol) refined_lengths_.push_back(length * scale);
+        within_.resize(lengths.of_symbol.size());
     }
 
     /// Adds the rows of a state that has some; false, and none are added, when they would not be precise.
-    bool add_rows(std::uint32_t state, FusedStencils& table) const {
-        const std::size_t before = table.weights.size();
-        assert(table.rows(state) > 0 && before == table.first_row[state] * table.width);
-        const BlossomPiece piece = piece_of(local_knots(automaton_.state(state).window));
-        const std::size_t rows = table.rows(state);
-        PairArray arguments;
-        arguments.reserve(rows + piece.degree - 1 + blossom_padding);
-        for (const DoubleDouble& knot : refined_knots(table, state)) arguments.push_back(knot);
-        for (std::size_t i = 0; i < blossom_padding; ++i) arguments.push_back({});
-        table.weights.resize(before + rows * table.width);
-        if (blossom_rows(piece, arguments, rows, table.weights.data() + before) <= largest_sum) return true;
-        table.weights.resize(before);
+    bool add(std::uint32_t state) {
+        const std::size_t before = table_.weights.size();
+        const std::size_t rows = table_.rows(state);
+        assert(rows > 0 && before == table_.first_row[state] * table_.width);
+        set_piece(automaton_.state(state).window);
+        set_arguments(state);
+        assert(arguments_.hi.size() == rows + degree_ - 1 + blossom_padding);
+        table_.weights.resize(before + rows * table_.width);
+        if (blossom_rows(piece_, arguments_, rows, table_.weights.data() + before) <= largest_sum) return true;
+        table_.weights.resize(before);
         return false;
     }
 
 private:
-    [[nodiscard]] DoubleDouble length(Symbol symbol, const std::vector<DoubleDouble>& lengths) const {
+    [[nodiscard]] static DoubleDouble length(Symbol symbol, const std::vector<DoubleDouble>& lengths) {
         return symbol == zero_interval ? DoubleDouble{} : lengths[to_index(symbol)];
     }
 
     /// The 2d knots of a window, 0 where its middle interval starts.
-    [[nodiscard]] std::vector<DoubleDouble> local_knots(const Word& window) const {
-        assert(window.size() % 2 == 1);
-        const std::size_t d = window.size() / 2 + 1;
-        std::vector<DoubleDouble> knots(2 * d);
-        for (std::size_t i = d; i < 2 * d; ++i) knots[i] = knots[i - 1] + length(window[i - 1], lengths_);
-        for (std::size_t i = d - 1; i-- > 0;) knots[i] = knots[i + 1] - length(window[i], lengths_);
-        return knots;
+    void set_knots(const Word& window, const std::vector<DoubleDouble>& lengths) {
+        const std::size_t d = degree_;
+        assert(window.size() == 2 * d - 1);
+        knots_.resize(2 * d);
+        knots_[d - 1] = {};
+        for (std::size_t i = d; i < 2 * d; ++i) knots_[i] = knots_[i - 1] + length(window[i - 1], lengths);
+        for (std::size_t i = d - 1; i-- > 0;) knots_[i] = knots_[i + 1] - length(window[i], lengths);
     }
 
-    /// The knots after the start of each descendant's cell, d of them from entry `row` on for that row.
-    [[nodiscard]] std::vector<DoubleDouble> refined_knots(const FusedStencils& table, std::uint32_t state) const {
-        assert(table.rows(state) > 0);
-        const std::size_t d = table.width - 1;
+    void set_piece(const Word& window) {
+        const std::size_t d = degree_;
+        set_knots(window, lengths_.of_symbol);
+        assert((knots_[d] - knots_[d - 1]).hi > 0);
+        piece_.degree = d;
+        piece_.knots.clear();
+        for (const DoubleDouble& knot : knots_) piece_.knots.push_back(knot);
+    }
+
+    /// The knots after the start of each descendant's cell, d of them from entry r on for the state's row r.
+    void set_arguments(std::uint32_t state) {
+        const std::size_t d = degree_;
         const CellState& cell = automaton_.state(state);
-        const std::uint32_t first = table.first_row[state];
-        const std::uint32_t last = table.first_row[state + 1] - 1;
-        if (cell.lead > 0) return leading_knots(automaton_.state(table.descendants[first]).window, d, cell.lead);
-        std::vector<DoubleDouble> knots;
-        knots.reserve(table.rows(state) + d - 1);
-        DoubleDouble at;
-        for (std::uint32_t row = first; row <= last; ++row) {
-            const Word& window = automaton_.state(table.descendants[row]).window;
-            at = at + length(window[d - 1], refined_lengths_);
-            knots.push_back(at);
+        arguments_.clear();
+        const Word& end = automaton_.state(table_.descendants[table_.first_row[state + 1] - 1]).window;
+        if (cell.lead > 0) {
+            // u_{1-z} … u_{d-z} around child 0, which starts at u_0 = 0.
+            set_knots(end, refined_lengths_);
+            for (std::size_t i = 0; i < d; ++i) arguments_.push_back(knots_[d - cell.lead + i]);
+        } else {
+            const PairArray& within = within_middle(state);
+            arguments_.hi = within.hi;
+            arguments_.lo = within.lo;
+            // Children fill the interval: ρ a = M a.
+            DoubleDouble at = length(cell.window[d - 1], lengths_.of_symbol);
+            arguments_.push_back(at);
+            for (std::size_t i = d; i < 2 * d - 1; ++i)
+                arguments_.push_back(at = at + length(end[i], refined_lengths_));
         }
-        // Children fill the interval: ρ a = M a.
-        knots.back() = at = length(cell.window[d - 1], lengths_);
-        const Word& end = automaton_.state(table.descendants[last]).window;
-        for (std::size_t i = d; i < 2 * d - 1; ++i) knots.push_back(at = at + length(end[i], refined_lengths_));
-        return knots;
+        for (std::size_t i = 0; i < blossom_padding; ++i) arguments_.push_back({});
     }
 
-    /// u_{1-z} … u_{d-z} around child 0, which starts at u_0 = 0.
-    [[nodiscard]] std::vector<DoubleDouble> leading_knots(const Word& window, std::size_t d, std::size_t lead) const {
-        assert(lead >= 1 && lead <= d && window.size() == 2 * d - 1);
-        std::vector<DoubleDouble> knots(2 * d);
-        for (std::size_t i = d; i < 2 * d; ++i) knots[i] = knots[i - 1] + length(window[i - 1], refined_lengths_);
-        for (std::size_t i = d - 1; i-- > 0;) knots[i] = knots[i + 1] - length(window[i], refined_lengths_);
-        const auto first = knots.begin() + static_cast<std::ptrdiff_t>(d - lead);
-        return {first, first + static_cast<std::ptrdiff_t>(d)};
+    /// The knots within the middle interval of a state without lead: they are the same for all windows around it.
+    const PairArray& within_middle(std::uint32_t state) {
+        PairArray& known = within_[to_index(automaton_.state(state).window[degree_ - 1])];
+        if (!known.hi.empty() || table_.rows(state) == 1) return known;
+        DoubleDouble at;
+        for (std::uint32_t row = table_.first_row[state]; row + 1 < table_.first_row[state + 1]; ++row) {
+            at = at + length(automaton_.state(table_.descendants[row]).window[degree_ - 1], refined_lengths_);
+            known.push_back(at);
+        }
+        return known;
     }
 
     const StencilAutomaton& automaton_;
-    std::vector<DoubleDouble> lengths_;
+    const Lengths& lengths_;
+    FusedStencils& table_;
+    std::size_t degree_;
     std::vector<DoubleDouble> refined_lengths_; ///< after the steps
+    std::vector<PairArray> within_;             ///< of each symbol whose interval has been asked for
+    std::vector<DoubleDouble> knots_;
+    BlossomPiece piece_{};
+    PairArray arguments_;
 };
+
+namespace {
 
 /// The states after one step more, state by state.
 void add_generation(const StencilAutomaton& automaton, FusedStencils& table) {
@@ -186,23 +194,35 @@ FusedStencils generation_zero(const StencilAutomaton& automaton, int steps) {
 
 } // namespace
 
-std::optional<FusedStencils> fuse(const StencilAutomaton& automaton, const IntervalSystem& system, int steps,
-                                  const std::vector<bool>& wanted) {
+IntervalFuser::IntervalFuser(std::shared_ptr<const StencilAutomaton> automaton, const IntervalSystem& system)
+    : automaton_(std::move(automaton))
+    , system_(system) {}
+
+std::optional<FusedStencils> IntervalFuser::table(int steps, const std::vector<bool>& wanted) {
     if (steps < 1) throw std::invalid_argument("stencils of fewer than one step");
-    if (wanted.size() != automaton.state_count()) throw std::invalid_argument("a wish for every state");
-    FusedStencils table = generation_zero(automaton, steps);
-    for (int step = 0; step < steps; ++step) add_generation(automaton, table);
+    if (wanted.size() != automaton_->state_count()) throw std::invalid_argument("a wish for every state");
+    FusedStencils table = generation_zero(*automaton_, steps);
+    for (int step = 0; step < steps; ++step) add_generation(*automaton_, table);
     keep(wanted, table);
     table.weights.reserve(table.row_count() * table.width);
-    std::optional<Fusion> fusion;
-    if (steps > 1 || automaton.row_count() == 0) fusion.emplace(automaton, system, steps);
-    for (std::uint32_t state = 0; state < automaton.state_count(); ++state) {
-        if (table.rows(state) == 0 || (fusion && fusion->add_rows(state, table))) continue;
+    std::optional<Rows> rows;
+    if (steps > 1 || automaton_->row_count() == 0) rows.emplace(*automaton_, lengths(), table);
+    for (std::uint32_t state = 0; state < automaton_->state_count(); ++state) {
+        if (table.rows(state) == 0 || (rows && rows->add(state))) continue;
         if (steps > 1) return std::nullopt;
-        add_exact_rows(automaton, system, state, table);
+        add_exact_rows(*automaton_, system_, state, table);
     }
     assert(table.weights.size() == table.row_count() * table.width);
     return table;
+}
+
+const IntervalFuser::Lengths& IntervalFuser::lengths() {
+    if (!lengths_) {
+        lengths_.emplace();
+        for (const Number& length : system_.lengths()) lengths_->of_symbol.push_back(to_double_double(length));
+        lengths_->ratio = to_double_double(system_.ratio());
+    }
+    return *lengths_;
 }
 
 } // namespace internode

@@ -9,11 +9,12 @@
 
 #pragma once
 
+#include "internode/algebra/double_double.h"
 #include "internode/stencil/automaton.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace internode {
@@ -31,11 +32,30 @@ struct FusedStencils {
     [[nodiscard]] std::size_t row_count() const { return descendants.size(); }
 };
 
-/// The table of `steps` >= 1 steps of an automaton made from `system`, for the states that are `wanted`: state_count()
-/// entries. One step takes the exact rows where the automaton has them. None when 106 bits do not suffice for rows that
-/// are right to a few units of 2^-60, because lengths side by side are too uneven; one step is always there.
-/// \throw std::invalid_argument for steps < 1, std::length_error beyond 2^32 - 1 rows
-[[nodiscard]] std::optional<FusedStencils> fuse(const StencilAutomaton& automaton, const IntervalSystem& system,
-                                                int steps, const std::vector<bool>& wanted);
+/// Makes the tables of one automaton and the system that it is made from. The lengths are rounded once, when the first
+/// table asks for them.
+class IntervalFuser {
+public:
+    /// `system` must outlive this.
+    IntervalFuser(std::shared_ptr<const StencilAutomaton> automaton, const IntervalSystem& system);
+
+    /// The table of `steps` >= 1 steps for the states that are `wanted`: state_count() entries. One step takes the
+    /// exact rows where the automaton has them. None when 106 bits do not suffice for rows that are right to a few
+    /// units of 2^-60, because lengths side by side are too uneven; one step is always there.
+    /// \throw std::invalid_argument for steps < 1, std::length_error beyond 2^32 - 1 rows
+    [[nodiscard]] std::optional<FusedStencils> table(int steps, const std::vector<bool>& wanted);
+
+private:
+    struct Lengths {
+        std::vector<DoubleDouble> of_symbol;
+        DoubleDouble ratio;
+    };
+    class Rows;
+    const Lengths& lengths();
+
+    std::shared_ptr<const StencilAutomaton> automaton_;
+    const IntervalSystem& system_;
+    std::optional<Lengths> lengths_;
+};
 
 } // namespace internode

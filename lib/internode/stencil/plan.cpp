@@ -103,8 +103,8 @@ StartCells start_cells(const IntervalSystem& system, int degree, WordView word, 
 
 StepFuser interval_fuser(std::shared_ptr<const StencilAutomaton> automaton, const IntervalSystem& system) {
     const std::size_t width = automaton->width();
-    return {[automaton = std::move(automaton), system](int steps, const std::vector<bool>& wanted) {
-                return fuse(*automaton, system, steps, wanted);
+    return {[fuser = IntervalFuser(std::move(automaton), system)](int steps, const std::vector<bool>& wanted) mutable {
+                return fuser.table(steps, wanted);
             },
             width};
 }

@@ -57,7 +57,7 @@ struct StepFuser {
     std::size_t width = 2; ///< weights in a row of several steps, at most
 };
 
-/// The rows of intervals, in 106 bits.
+/// The rows of intervals, in 106 bits. `system` must outlive it.
 [[nodiscard]] StepFuser interval_fuser(std::shared_ptr<const StencilAutomaton> automaton, const IntervalSystem& system);
 
 class RefinementPlan {
