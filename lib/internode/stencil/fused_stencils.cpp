@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The rows of k steps at once are blossoms of the same old interval at the knots after k steps. They are taken in pairs
-// of doubles from exact lengths and rounded once, several rows side by side. Where intermediate sums are so large that 106
-// bits might not do, there is no table, and the plan goes step by step; the rows of one step are then exact.
+// of doubles from exact lengths and rounded once, several rows side by side. Where intermediate sums are so large that
+// 106 bits might not do, there is no table, and the plan goes step by step; the rows of one step are then exact.
 
 #include "internode/stencil/fused_stencils.h"
 

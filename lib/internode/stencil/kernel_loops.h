@@ -303,7 +303,8 @@ inline void combine_columns(const Scalar* parents, const Scalar* weights, std::s
 template<typename Scalar, int Width>
 void refine_wide(const CellWork<Scalar>* cells, std::size_t count, std::size_t dimension, Scalar* out, Store store,
                  std::size_t width) {
-    constexpr std::size_t block = 4096 / sizeof(Scalar); // so wide, `width` parents stay in the first cache
+    // So wide, the parents stay in the second cache while a cell's rows are written, each in long stretches.
+    const std::size_t block = 131072 / sizeof(Scalar) / width;
     for (const CellWork<Scalar>* cell = cells; cell != cells + count; ++cell) {
         for (std::size_t first = 0; first < dimension; first += block) {
             const std::size_t columns = dimension - first < block ? dimension - first : block;
