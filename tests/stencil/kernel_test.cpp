@@ -129,7 +129,7 @@ template<typename Scalar>
 void check_all(std::uint32_t seed) {
     Random random(seed);
     for (std::size_t width = 2; width <= 13; ++width)
-        for (const std::size_t dimension : {1, 2, 3, 4, 5, 6, 7, 8, 9, 15, 17, 70, 1500}) {
+        for (const std::size_t dimension : {1, 2, 3, 4, 5, 6, 7, 8, 9, 15, 17, 70, 1500, 4500}) {
             const Job<Scalar> job = random_job<Scalar>(width, dimension, random);
             const std::vector<Scalar> wanted = expected(job);
             const std::size_t shifts = (width == 4 || width == 13) && dimension < 10 ? 64 / sizeof(Scalar) : 2;

@@ -64,6 +64,33 @@ TEST(MorphismPower, RefusesPowersBelowOne) {
     EXPECT_THROW((void)power(tests::fibonacci_rules(), -1), std::invalid_argument);
 }
 
+TEST(Rewritten, IsTheWordAfterSoManyStepsHoweverManyGoTogether) {
+    for (const Morphism& system : tests::all_systems(2, 2))
+        for (const std::size_t repeats : {0, 1, 9, 60}) {
+            Word start;
+            for (std::size_t i = 0; i < repeats; ++i) start = concatenated(std::move(start), word("a0b"));
+            Word expected = start;
+            for (int steps = 0; steps <= 6; ++steps) {
+                EXPECT_EQ(rewritten(system, start, steps), expected) << steps << " steps of " << start.size();
+                expected = system(expected);
+            }
+        }
+}
+
+TEST(Rewritten, GoesOnWhereAPowerWouldBeTooLong) {
+    Word start;
+    for (int i = 0; i < 3000; ++i) start = concatenated(std::move(start), word("ab0aab"));
+    Word expected = start;
+    const Morphism system = morphism({"aab", "abbbaaaaaaaaaaaaaaaaaaaa"});
+    for (int step = 0; step < 4; ++step) expected = system(expected);
+    ASSERT_GT(expected.size(), 1'000'000U);
+    EXPECT_EQ(rewritten(system, start, 4), expected);
+}
+
+TEST(Rewritten, RefusesFewerThanNoSteps) {
+    EXPECT_THROW((void)rewritten(tests::fibonacci_rules(), word("a"), -1), std::invalid_argument);
+}
+
 TEST(LetterCounts, AreThoseOfTheWordItself) {
     for (const Morphism& system : tests::all_systems(2, 3)) {
         Word current = word("ab0a");

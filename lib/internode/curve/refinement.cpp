@@ -7,6 +7,7 @@
 #include "internode/curve/refinement.h"
 
 #include "internode/curve/gather.h"
+#include "internode/stencil/coordinate_buffer.h"
 
 #include <algorithm>
 #include <cassert>
@@ -57,33 +58,37 @@ RefinementSize refined_size(const Curve& curve, std::uint64_t steps, std::uint64
     return refined_size(curve.knots(), curve.dimension(), steps, cap);
 }
 
-Word refined_word(const Morphism& rules, WordView word, int degree, Ends ends) {
-    if (ends == Ends::Circular) return rules(word);
+Word refined_word(const Morphism& rules, WordView word, int degree, Ends ends, int steps) {
+    if (ends == Ends::Circular) return rewritten(rules, word, steps);
     const auto d = static_cast<std::size_t>(degree);
     if (degree < 1 || word.size() < 2 * d + 1)
         throw std::invalid_argument("an open word needs a domain and `degree` letters at each end");
-    const Word before = rules(word.first(d));
-    const Word domain = rules(word.subspan(d, word.size() - 2 * d));
-    const Word after = rules(word.last(d));
+    Word before(word.begin(), word.begin() + degree);
+    Word after(word.end() - degree, word.end());
+    for (int step = 0; step < steps; ++step) {
+        before = rules(before);
+        before.erase(before.begin(), before.end() - degree);
+        after = rules(after);
+        after.resize(d);
+    }
+    const Word domain = rewritten(rules, word.subspan(d, word.size() - 2 * d), steps);
     Word result;
     result.reserve(domain.size() + 2 * d);
-    append(result, WordView(before).last(d));
+    append(result, before);
     append(result, domain);
-    append(result, WordView(after).first(d));
+    append(result, after);
     return result;
 }
 
-Word refined_word(const Knots& knots) {
-    return refined_word(knots.system().rules(), knots.word(), knots.degree(), knots.ends());
+Word refined_word(const Knots& knots, int steps) {
+    return refined_word(knots.system().rules(), knots.word(), knots.degree(), knots.ends(), steps);
 }
 
 Knots refined_knots(const Knots& knots, int steps) {
     if (steps < 0) throw std::invalid_argument("a negative number of steps");
     Knots fine = knots;
-    for (int step = 0; step < steps; ++step) {
-        fine.word_ = refined_word(fine);
-        ++fine.step_;
-    }
+    fine.word_ = refined_word(knots, steps);
+    fine.step_ += steps;
     return fine;
 }
 
@@ -121,7 +126,7 @@ void Refinement::step() {
 
 void Refinement::advance(int steps, const ApplyOptions& options) {
     const RefinementPlan plan(curve_.system(), automaton_, states_, steps);
-    std::vector<double> points(plan.output_size() * curve_.dimension());
+    std::vector<double> points = in_large_pages<double>(plan.output_size() * curve_.dimension());
     plan.apply<double>(curve_.points_, curve_.dimension(), points, options);
     curve_.points_ = std::move(points);
     states_ = plan.final_cells();
@@ -135,7 +140,7 @@ RefinementPlan refinement_plan(const Knots& knots, int steps, const PlanOptions&
 
 Curve refine(const Curve& curve, int steps, const ApplyOptions& options) {
     const RefinementPlan plan = refinement_plan(curve.knots(), steps);
-    std::vector<double> points(plan.output_size() * curve.dimension());
+    std::vector<double> points = in_large_pages<double>(plan.output_size() * curve.dimension());
     plan.apply<double>(curve.points(), curve.dimension(), points, options);
     return {refined_knots(curve.knots(), steps), curve.dimension(), std::move(points)};
 }

@@ -59,8 +59,8 @@ private:
 [[nodiscard]] Curve refine(const Curve& curve, int steps, const ApplyOptions& options = {});
 
 /// The word after one step, cut as above.
-[[nodiscard]] Word refined_word(const Morphism& rules, WordView word, int degree, Ends ends);
-[[nodiscard]] Word refined_word(const Knots& knots);
+[[nodiscard]] Word refined_word(const Morphism& rules, WordView word, int degree, Ends ends, int steps = 1);
+[[nodiscard]] Word refined_word(const Knots& knots, int steps = 1);
 
 /// The knots after `steps` >= 0 steps. \throw std::invalid_argument for fewer
 [[nodiscard]] Knots refined_knots(const Knots& knots, int steps);

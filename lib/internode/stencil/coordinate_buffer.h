@@ -10,12 +10,15 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace internode {
 
 namespace detail {
 /// \throw std::bad_alloc
 [[nodiscard]] void* allocate_coordinates(std::size_t bytes);
+/// Asks for large pages for memory that has not been touched, where the system has them and it is large enough.
+void advise_large_pages(void* memory, std::size_t bytes);
 struct FreeCoordinates {
     void operator()(void* memory) const noexcept;
 };
@@ -40,5 +43,15 @@ private:
     std::unique_ptr<Scalar[], detail::FreeCoordinates> memory_;
     std::size_t size_ = 0;
 };
+
+/// So many zeros that are about to be written over.
+template<typename Scalar>
+[[nodiscard]] std::vector<Scalar> in_large_pages(std::size_t size) {
+    std::vector<Scalar> values;
+    values.reserve(size);
+    detail::advise_large_pages(values.data(), size * sizeof(Scalar));
+    values.resize(size);
+    return values;
+}
 
 } // namespace internode

@@ -3,6 +3,7 @@
 #include "internode/surface/refinement.h"
 
 #include "internode/curve/refinement.h"
+#include "internode/stencil/coordinate_buffer.h"
 #include "internode/surface/grid_plan.h"
 
 #include <limits>
@@ -40,7 +41,7 @@ GridSize refined_size(const Grid& grid, std::uint64_t steps_u, std::uint64_t ste
 
 Grid refine(const Grid& grid, int steps_u, int steps_v, const ApplyOptions& options) {
     const GridPlan plan(grid.u(), grid.v(), steps_u, steps_v);
-    std::vector<double> points(plan.output_rows() * plan.output_columns() * grid.dimension());
+    std::vector<double> points = in_large_pages<double>(plan.output_rows() * plan.output_columns() * grid.dimension());
     plan.apply(grid.points(), grid.dimension(), points, options);
     return Grid({refined_knots(grid.u(), steps_u), refined_knots(grid.v(), steps_v), grid.dimension(), grid.rational(),
                  std::move(points)});

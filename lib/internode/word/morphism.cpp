@@ -7,6 +7,28 @@
 #include <stdexcept>
 
 namespace internode {
+namespace {
+
+/// An image as long is copied by a call.
+constexpr std::size_t letters_by_call = 16;
+/// The rules of a power that a word is rewritten by: 64 KiB of letters.
+constexpr std::size_t letters_of_power = std::size_t{1} << 14;
+
+/// First the one, then the other.
+Morphism composed(const Morphism& first, const Morphism& then) {
+    std::vector<Word> images;
+    images.reserve(first.size());
+    for (const Word& image : first.images()) images.push_back(then(image));
+    return Morphism(std::move(images));
+}
+
+std::size_t letters_in(const Morphism& morphism) {
+    std::size_t letters = 0;
+    for (const Word& image : morphism.images()) letters += image.size();
+    return letters;
+}
+
+} // namespace
 
 Morphism::Morphism(std::vector<Word> images)
     : images_(std::move(images)) {
@@ -28,10 +50,15 @@ Word Morphism::operator()(WordView word) const {
     Word result(size);
     auto place = result.begin();
     for (const Symbol symbol : word) {
-        if (symbol == zero_interval)
+        if (symbol == zero_interval) {
             *place++ = symbol;
+            continue;
+        }
+        const Word& image = images_[to_index(symbol)];
+        if (image.size() < letters_by_call)
+            for (const Symbol letter : image) *place++ = letter;
         else
-            for (const Symbol letter : images_[to_index(symbol)]) *place++ = letter; // a few: no call for them
+            place = std::ranges::copy(image, place).out;
     }
     assert(place == result.end());
     return result;
@@ -39,11 +66,29 @@ Word Morphism::operator()(WordView word) const {
 
 Morphism power(const Morphism& morphism, int power) {
     if (power < 1) throw std::invalid_argument("the power of a morphism must be at least 1");
-    std::vector<Word> images = morphism.images();
-    assert(images.size() == morphism.size());
-    for (int step = 1; step < power; ++step)
-        for (Word& image : images) image = morphism(image);
-    return Morphism(std::move(images));
+    Morphism result = morphism;
+    for (int step = 1; step < power; ++step) result = composed(result, morphism);
+    return result;
+}
+
+Word rewritten(const Morphism& morphism, WordView word, int steps) {
+    if (steps < 0) throw std::invalid_argument("a word cannot be rewritten fewer than 0 times");
+    if (steps == 0) return {word.begin(), word.end()};
+    // The rules of a power are worth making while they are shorter than the word that they serve.
+    const std::size_t most_letters = std::min(letters_of_power, word.size());
+    Morphism rules = morphism;
+    int power = 1;
+    while (power < steps) {
+        Morphism longer = composed(rules, morphism);
+        if (letters_in(longer) > most_letters) break;
+        rules = std::move(longer);
+        ++power;
+    }
+    // What the power leaves over comes first: the last pass, the longest, is then a whole one.
+    const int first = steps % power;
+    Word result = first == 0 ? rules(word) : internode::power(morphism, first)(word);
+    for (int step = first == 0 ? power : first; step < steps; step += power) result = rules(result);
+    return result;
 }
 
 LetterCounts letter_counts(const Morphism& morphism, WordView word) {

@@ -37,6 +37,10 @@ private:
 /// σ^power; power >= 1. The images grow like ρ^power: sizes are the caller's care. \throw std::invalid_argument
 [[nodiscard]] Morphism power(const Morphism& morphism, int power);
 
+/// σ^steps(word), steps >= 0, in few passes: each applies a power whose rules fit a cache. The size is the caller's
+/// care. \throw std::invalid_argument
+[[nodiscard]] Word rewritten(const Morphism& morphism, WordView word, int steps);
+
 /// σ^steps(word), letter counts only: how often each symbol occurs, and how often `0`.
 struct LetterCounts {
     std::vector<std::uint64_t> symbols; ///< n counts

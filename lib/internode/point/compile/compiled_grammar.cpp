@@ -7,6 +7,7 @@
 #include "internode/point/compile/compiled_grammar.h"
 
 #include "internode/algebra/double_double.h"
+#include "internode/stencil/coordinate_buffer.h"
 #include "internode/stencil/fused_stencils.h"
 #include "internode/stencil/kernel.h"
 
@@ -267,7 +268,7 @@ std::optional<ModuleWord> CompiledGrammar::derive(std::span<const double> points
                                                   const ApplyOptions& options) const {
     const RefinementPlan refinement = plan(cycles);
     if (refinement.output_size() == 0) return std::nullopt;
-    std::vector<double> refined(refinement.output_size() * dimension);
+    std::vector<double> refined = in_large_pages<double>(refinement.output_size() * dimension);
     refinement.apply<double>(points, dimension, refined, options);
     return word(refinement.final_cells(), refined, dimension);
 }

@@ -3,6 +3,7 @@
 #include "internode/point/compile/fast_derivation.h"
 
 #include "internode/point/limits.h"
+#include "internode/stencil/coordinate_buffer.h"
 
 #include <algorithm>
 #include <cassert>
@@ -35,7 +36,7 @@ FastDerivation compiled_word(const CompiledGrammar& grammar, const std::vector<d
     if (!has_room(size, dimension, options.derive.max_modules))
         return {std::nullopt, std::nullopt, TooLargeWord{size, dimension}, std::nullopt};
     const RefinementPlan plan = grammar.plan(cycles);
-    std::vector<double> points(plan.output_size() * dimension);
+    std::vector<double> points = in_large_pages<double>(plan.output_size() * dimension);
     plan.apply<double>(start, dimension, points, options.apply);
     if (!std::ranges::all_of(points, [](double coordinate) { return std::isfinite(coordinate); })) return {};
     return {grammar.word(plan.final_cells(), points, dimension), std::nullopt, std::nullopt, std::nullopt};
