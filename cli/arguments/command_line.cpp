@@ -33,6 +33,7 @@ CommandReader::CommandReader() {
     add_reverse();
     add_compose();
     add_infer();
+    add_mesh();
     add_small_commands();
 }
 

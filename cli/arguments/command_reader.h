@@ -70,6 +70,7 @@ private:
     void add_details(CLI::App* reverse);
     void add_compose();
     void add_infer();
+    void add_mesh();
     void add_small_commands();
     void add_lists();
     void refuse_leftovers(const CLI::App& app) const;
@@ -89,6 +90,7 @@ private:
     InferOptions infer_;
     ComposeOptions compose_;
     WordOptions word_;
+    MeshOptions mesh_;
     FormatOptions format_;
     FormatsOptions formats_;
     GrammarsOptions grammars_;

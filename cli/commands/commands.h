@@ -19,6 +19,7 @@ ExitCode run(const InferOptions& options, const Context& context);
 ExitCode run(const ComposeOptions& options, const Context& context);
 ExitCode run(const WordOptions& options, const Context& context);
 ExitCode run(const FormatOptions& options, const Context& context);
+ExitCode run(const MeshOptions& options, const Context& context);
 ExitCode run(const FormatsOptions& options, const Context& context);
 ExitCode run(const GrammarsOptions& options, const Context& context);
 ExitCode run(const LimitsOptions& options, const Context& context);

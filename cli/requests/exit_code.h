@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the command says to the shell. 1 comes only from `validate`: a verdict, not an error.
+// What the command says to the shell. 1 comes only from `validate` and `mesh`: a verdict, not an error.
 
 #pragma once
 
@@ -11,7 +11,7 @@ namespace internode::cli {
 
 enum class ExitCode : int {
     Success = 0,
-    NotValid = 1,     ///< `validate`: invalid or undecided
+    NotValid = 1,     ///< `validate`: invalid or undecided; `mesh`: no manifold, or not oriented
     Usage = 2,        ///< unknown option, missing argument, option out of range
     Refused = 3,      ///< text or data refused, limits included; an invalid grammar given to another command
     File = 4,         ///< missing, unreadable or unwritable file

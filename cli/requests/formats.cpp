@@ -13,12 +13,13 @@
 namespace internode::cli {
 namespace {
 
-constexpr std::array<Format, 14> all_formats{{
+constexpr std::array<Format, 15> all_formats{{
     {"text", {"txt", "text"}, "text", "for people to read"},
     {"json", {"json", ""}, "JSON", "for programs; docs/json.md describes every key"},
     {"csv", {"csv", ""}, "CSV", "a point, or a row of a matrix, a line"},
     {"npy", {"npy", ""}, "NPY", "points as an array of NumPy"},
     {"obj", {"obj", ""}, "OBJ", "polylines or a mesh of Wavefront"},
+    {"off", {"off", ""}, "OFF", "a mesh of Geomview"},
     {"ply", {"ply", ""}, "PLY", "a mesh, binary"},
     {"stl", {"stl", ""}, "STL", "triangles, binary"},
     {"svg", {"svg", ""}, "SVG", "a picture"},
@@ -64,6 +65,8 @@ std::vector<FormatUse> all_uses() {
         {"word", intervals, "", {"text", "json"}},
         {"format", intervals, "", {"text"}},
         {"format", points, "", {"text"}},
+        {"mesh", {}, "", {"text", "json"}},
+        {"mesh", {}, "--repair", {"obj", "off", "ply"}},
         {"formats", {}, "", {"text", "json"}},
     };
 }

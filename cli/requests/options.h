@@ -192,6 +192,12 @@ struct GrammarsOptions {
     std::string name; ///< empty = the list
 };
 
+struct MeshOptions {
+    std::string file; ///< OBJ, OFF, PLY or STL, `-` for stdin
+    OutputTarget output;
+    bool repair = false; ///< the mesh is written, made one; else what it is
+};
+
 /// `internode formats`: the table itself.
 struct FormatsOptions {
     OutputTarget output;
@@ -206,7 +212,7 @@ struct HelpRequest {
 };
 
 using Request = std::variant<ValidateOptions, MasksOptions, SubdivideOptions, ConvergeOptions, ReverseOptions,
-                             InferOptions, ComposeOptions, WordOptions, FormatOptions, FormatsOptions, GrammarsOptions,
-                             LimitsOptions, VersionOptions, HelpRequest>;
+                             InferOptions, ComposeOptions, WordOptions, FormatOptions, MeshOptions, FormatsOptions,
+                             GrammarsOptions, LimitsOptions, VersionOptions, HelpRequest>;
 
 } // namespace internode::cli

@@ -54,13 +54,25 @@ IntervalGrammar interval_grammar(const LoadedText& input) {
 
 } // namespace
 
-LoadedText load_text(const std::string& place) {
-    InputText input = read_input(place);
+namespace {
+
+LoadedText load(const std::string& place, const InputOptions& options) {
+    InputText input = read_input(place, options);
     if (!input.error) return {std::move(input.text), std::move(input.source)};
     const FileError& error = *input.error;
     std::string where = printable(error.path);
     if (error.line > 0) where += fmt::format(":{}:{}", error.line, error.column);
     throw Failure(exit_code(error.kind), fmt::format("{}: error: {}\n", where, error.message));
+}
+
+} // namespace
+
+LoadedText load_text(const std::string& place) {
+    return load(place, {});
+}
+
+LoadedText load_bytes(const std::string& place) {
+    return load(place, {.may_be_binary = true});
 }
 
 LoadedGrammar load_grammar(const GrammarSource& source) {

@@ -20,6 +20,8 @@ struct LoadedText {
     std::string source;
 };
 [[nodiscard]] LoadedText load_text(const std::string& place);
+/// The same of a file of any bytes.
+[[nodiscard]] LoadedText load_bytes(const std::string& place);
 
 /// A grammar of any kind; commands visit it, and each kind has its handlers.
 struct LoadedGrammar {

@@ -12,8 +12,9 @@
 
 namespace internode::tests {
 
-inline const std::vector<std::string> commands{"validate", "masks", "subdivide", "converge", "reverse",  "compose",
-                                               "infer",    "word",  "format",    "formats",  "grammars", "limits"};
+inline const std::vector<std::string> commands{"validate", "masks",    "subdivide", "converge", "reverse",
+                                               "compose",  "infer",    "word",      "format",   "mesh",
+                                               "formats",  "grammars", "limits"};
 
 struct Outcome {
     int code = -1; ///< exit code, or 128 + signal

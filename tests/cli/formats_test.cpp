@@ -53,6 +53,8 @@ const std::map<std::string, Words> line_of_use{
     {"word, interval grammars", {"word", "@fibonacci", "--word", "L", "-n", "3"}},
     {"format, interval grammars", {"format", "@fibonacci"}},
     {"format, point grammars", {"format", "@koch"}},
+    {"mesh", {"mesh", "data/meshes/tetrahedron.obj"}},
+    {"mesh --repair", {"mesh", "data/meshes/tetrahedron.obj", "--repair"}},
     {"formats", {"formats"}},
 };
 

@@ -84,6 +84,7 @@ const std::map<std::string, Words> samples{
     {"--matrix", {}},
     {"--dot", {}},
     {"--svg", {}},
+    {"--repair", {}},
 };
 
 /// What may change nothing: its effect hangs on the data, or is no byte of a result.
@@ -203,6 +204,8 @@ Lines other_lines() {
             {"format", "@fibonacci", "--format", "text"},
             joined({"format"}, own),
             {"format", "@koch"},
+            {"mesh", "data/meshes/tetrahedron.obj"},
+            {"mesh", "data/meshes/tetrahedron.obj", "--repair"},
             {"formats"},
             {"grammars"},
             {"limits"}};

@@ -57,6 +57,15 @@ TriangleMesh mesh_of(const Shape& shape) {
     return TriangleMesh(shape.vertices, shape.corners);
 }
 
+MeshTopology topology_of(const TriangleMesh& mesh) {
+    FaceList faces;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        const auto [a, b, c] = mesh.corners(handle_of<Face>(f));
+        faces.add(std::array{static_cast<Corner>(a), static_cast<Corner>(b), static_cast<Corner>(c)});
+    }
+    return mesh_topology(mesh.vertex_count(), faces);
+}
+
 Corner number(Vertex v) {
     return static_cast<Corner>(to_index(v));
 }
@@ -310,7 +319,7 @@ TEST(Stellar, LongRandomSequencesStayAMeshOfTheSameKind) {
     for (const auto& [name, shape] : shapes()) {
         SCOPED_TRACE(name);
         Trial trial(shape);
-        const MeshFacts before = mesh_facts(trial.mesh);
+        const MeshTopology before = topology_of(trial.mesh);
         for (int step = 0; step < 400 && !testing::Test::HasFatalFailure(); ++step) {
             const auto e = handle_of<Edge>(random.below(trial.mesh.edge_count()));
             const auto v = handle_of<Vertex>(random.below(trial.mesh.vertex_count()));
@@ -324,7 +333,7 @@ TEST(Stellar, LongRandomSequencesStayAMeshOfTheSameKind) {
             }
             if (operation == 5 || operation >= 8) trial.weld_face(v);
         }
-        const MeshFacts after = mesh_facts(trial.mesh);
+        const MeshTopology after = topology_of(trial.mesh);
         EXPECT_EQ(after.euler_characteristic, before.euler_characteristic);
         EXPECT_EQ(after.components, before.components);
         EXPECT_EQ(after.boundary_loops, before.boundary_loops);
@@ -376,27 +385,29 @@ TEST(Stellar, RefusalsSayWhy) {
     EXPECT_EQ(sentences.size(), static_cast<std::size_t>(StellarRefusal::Across) + 1);
 }
 
-TEST(MeshFacts, AreThoseOfKnownSurfaces) {
-    const MeshFacts sphere = mesh_facts(mesh_of(octahedron));
+TEST(MeshTopology, IsThatOfKnownSurfaces) {
+    const MeshTopology sphere = topology_of(mesh_of(octahedron));
     EXPECT_EQ(sphere.euler_characteristic, 2);
     EXPECT_EQ(sphere.genus, 0U);
     EXPECT_EQ(sphere.boundary_loops, 0U);
+    EXPECT_EQ(sphere.boundary_edges, 0U);
     EXPECT_THAT(sphere.interior_valences, ElementsAre(Pair(4U, 6U)));
-    const MeshFacts torus = mesh_facts(mesh_of(shapes().at("torus")));
+    const MeshTopology torus = topology_of(mesh_of(shapes().at("torus")));
     EXPECT_EQ(torus.euler_characteristic, 0);
     EXPECT_EQ(torus.genus, 1U);
     EXPECT_EQ(torus.components, 1U);
     EXPECT_THAT(torus.interior_valences, ElementsAre(Pair(6U, 12U)));
-    const MeshFacts cylinder = mesh_facts(mesh_of(shapes().at("cylinder")));
+    const MeshTopology cylinder = topology_of(mesh_of(shapes().at("cylinder")));
     EXPECT_EQ(cylinder.euler_characteristic, 0);
     EXPECT_EQ(cylinder.genus, 0U);
     EXPECT_EQ(cylinder.boundary_loops, 2U);
-    const MeshFacts two = mesh_facts(mesh_of(shapes().at("two components")));
+    EXPECT_EQ(cylinder.boundary_edges, 6U);
+    const MeshTopology two = topology_of(mesh_of(shapes().at("two components")));
     EXPECT_EQ(two.components, 2U);
     EXPECT_EQ(two.boundary_loops, 2U);
     EXPECT_EQ(two.euler_characteristic, 2);
     EXPECT_THAT(two.boundary_valences, ElementsAre(Pair(2U, 6U)));
-    EXPECT_EQ(mesh_facts(mesh_of({0, {}})).components, 0U);
+    EXPECT_EQ(topology_of(mesh_of({0, {}})), MeshTopology{});
 }
 
 } // namespace

@@ -927,6 +927,31 @@ def check_formats(document):
     require(len(set(extensions)) == len(extensions), "an extension stands for one format")
 
 
+def check_mesh(document):
+    sizes = document["face_sizes"]
+    require(sum(row["faces"] for row in sizes) == document["faces"], "the faces by their corners")
+    sides = sum(row["faces"] * row["corners"] for row in sizes)
+    isolated = sum(1 for fault in document["faults"] if fault["kind"] == "isolated vertex")
+    others = len(document["faults"]) - isolated
+    for fault in document["faults"]:
+        require(all(vertex < document["vertices"] for vertex in fault["vertices"]) or fault["kind"] == "index out of range",
+                "the vertices of a fault")
+        require(all(face < document["faces"] for face in fault["faces"]), "the faces of a fault")
+    topology = document["topology"]
+    require((topology is None) == (others > 0), "a manifold has a topology")
+    if topology is None:
+        return
+    valences = {name: [(row["valence"], row["vertices"]) for row in topology[f"{name}_valences"]] for name in ("interior", "boundary")}
+    vertices = document["vertices"] - isolated
+    require(sum(count for of in valences.values() for _, count in of) == vertices, "every vertex has a valence")
+    require(sum(v * count for of in valences.values() for v, count in of) == 2 * document["edges"], "the valences sum to the ends of edges")
+    require(sides + topology["boundary_edges"] == 2 * document["edges"], "an edge has two sides, or one and the boundary")
+    require(sum(count for _, count in valences["boundary"]) == topology["boundary_edges"], "as many boundary vertices as edges")
+    euler = vertices - document["edges"] + document["faces"]
+    require(topology["euler_characteristic"] == euler, "vertices - edges + faces")
+    require(euler == 2 * topology["components"] - 2 * topology["genus"] - topology["boundary_loops"], "genus and Euler characteristic")
+
+
 CHECKS = {
     "internode-validation": ("validation", check_validation),
     "internode-point-validation": ("point-validation", check_point_validation),
@@ -943,6 +968,7 @@ CHECKS = {
     "internode-point-masks": ("point-masks", check_point_masks),
     "internode-cells": ("cells", check_cells),
     "internode-word": ("word", check_word),
+    "internode-mesh": ("mesh", check_mesh),
     "internode-formats": ("formats", check_formats),
 }
 

@@ -40,7 +40,7 @@ public:
             for (std::size_t i = 0; i < 3; ++i) edges.insert(std::minmax(triangle[i], triangle[(i + 1) % 3]));
         return edges.size();
     }
-    [[nodiscard]] bool is_mesh() const { return mesh_faults(vertex_count_, corners()).empty(); }
+    [[nodiscard]] bool is_mesh() const { return mesh_faults(vertex_count_, internode::triangles(corners())).empty(); }
 
     void split_edge(Corner a, Corner b) {
         const auto m = static_cast<Corner>(vertex_count_++);

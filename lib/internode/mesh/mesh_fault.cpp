@@ -2,168 +2,191 @@
 
 #include "internode/mesh/mesh_fault.h"
 
+#include "internode/mesh/face_sides.h"
+
 #include <algorithm>
-#include <array>
-#include <cassert>
-#include <map>
 #include <numeric>
-#include <stdexcept>
 
 namespace internode {
 namespace {
 
-constexpr std::size_t most_half_edges = (std::size_t{1} << 31U) - 1;
-
-using Corners = std::array<std::uint32_t, 3>;
-
 /// "3 7".
 template<typename Numbers>
-std::string listed(const Numbers& numbers, const char* between) {
+std::string listed(const Numbers& numbers, std::size_t base, const char* between) {
     std::string text;
-    for (const auto number : numbers) text += (text.empty() ? "" : between) + std::to_string(number);
+    for (const auto number : numbers) text += (text.empty() ? "" : between) + std::to_string(number + base);
     return text;
 }
 
-/// A passage of a face from one corner to the next.
-struct Passage {
-    std::uint32_t from;
-    std::uint32_t to;
-    std::size_t face;
-
-    [[nodiscard]] std::array<std::uint32_t, 2> edge() const { return {std::min(from, to), std::max(from, to)}; }
-};
-
 class FaultFinder {
 public:
-    FaultFinder(std::size_t vertex_count, std::span<const std::uint32_t> corners)
+    FaultFinder(std::size_t vertex_count, const FaceList& faces)
         : vertex_count_(vertex_count)
-        , corners_(corners) {}
+        , faces_(faces) {}
 
     [[nodiscard]] std::vector<MeshFault> find() && {
-        if (corners_.size() > most_half_edges || vertex_count_ > most_half_edges)
+        if (faces_.corners().size() > most_half_edges || vertex_count_ > most_half_edges)
             return {{MeshFaultKind::TooLarge, {}, {}}};
+        left_out_.assign(faces_.size(), false);
+        has_fault_.assign(vertex_count_, false);
         find_bad_corners();
-        if (!faults_.empty()) return std::move(faults_);
         find_duplicate_faces();
         find_bad_edges();
-        if (faults_.empty()) find_bad_vertices(); // fans need edges of two faces
+        find_bad_vertices();
+        std::ranges::stable_sort(faults_, {}, &MeshFault::kind);
         return std::move(faults_);
     }
 
 private:
-    [[nodiscard]] std::size_t face_count() const { return corners_.size() / 3; }
-    [[nodiscard]] Corners corners(std::size_t face) const {
-        return {corners_[3 * face], corners_[3 * face + 1], corners_[3 * face + 2]};
-    }
-
     void find_bad_corners() {
-        for (std::size_t face = 0; face < face_count(); ++face) {
-            const auto [a, b, c] = corners(face);
-            for (const std::uint32_t corner : {a, b, c})
-                if (corner >= vertex_count_) faults_.push_back({MeshFaultKind::IndexOutOfRange, {corner}, {face}});
-            if (a == b || b == c || c == a) faults_.push_back({MeshFaultKind::DegenerateFace, {a, b, c}, {face}});
+        for (std::size_t face = 0; face < faces_.size(); ++face) {
+            for (const std::uint32_t corner : faces_[face])
+                if (corner >= vertex_count_) leave_out(face, {MeshFaultKind::IndexOutOfRange, {corner}, {face}});
+            std::vector<std::uint32_t> corners(faces_[face].begin(), faces_[face].end());
+            std::ranges::sort(corners);
+            if (corners.size() < 3 || std::ranges::adjacent_find(corners) != corners.end())
+                leave_out(face, {MeshFaultKind::DegenerateFace, {faces_[face].begin(), faces_[face].end()}, {face}});
         }
     }
 
     void find_duplicate_faces() {
-        std::vector<std::pair<Corners, std::size_t>> sorted;
-        sorted.reserve(face_count());
-        for (std::size_t face = 0; face < face_count(); ++face) {
-            Corners key = corners(face);
-            std::ranges::sort(key);
-            sorted.emplace_back(key, face);
+        FaceList sorted; // each with its corners ascending
+        for (std::size_t face = 0; face < faces_.size(); ++face) {
+            std::vector<std::uint32_t> corners(faces_[face].begin(), faces_[face].end());
+            std::ranges::sort(corners);
+            sorted.add(corners);
         }
-        std::ranges::sort(sorted);
-        for (std::size_t first = 0; first < sorted.size();) {
-            MeshFault fault{MeshFaultKind::DuplicateFace, {sorted[first].first.begin(), sorted[first].first.end()}, {}};
-            std::size_t last = first;
-            for (; last < sorted.size() && sorted[last].first == sorted[first].first; ++last)
-                fault.faces.push_back(sorted[last].second);
-            if (last - first > 1) faults_.push_back(std::move(fault));
+        std::vector<std::size_t> order;
+        for (std::size_t face = 0; face < faces_.size(); ++face)
+            if (!left_out_[face]) order.push_back(face);
+        std::ranges::sort(order, [&sorted](std::size_t a, std::size_t b) {
+            const auto difference = std::lexicographical_compare_three_way(sorted[a].begin(), sorted[a].end(),
+                                                                           sorted[b].begin(), sorted[b].end());
+            return difference != 0 ? difference < 0 : a < b;
+        });
+        for (std::size_t first = 0; first < order.size();) {
+            std::size_t last = first + 1;
+            while (last < order.size() && std::ranges::equal(sorted[order[first]], sorted[order[last]])) ++last;
+            if (last - first > 1) add_duplicates(sorted[order[first]], std::span(order).subspan(first, last - first));
             first = last;
         }
+    }
+
+    void add_duplicates(std::span<const std::uint32_t> corners, std::span<const std::size_t> faces) {
+        for (const std::size_t face : faces.subspan(1)) left_out_[face] = true;
+        add({MeshFaultKind::DuplicateFace, {corners.begin(), corners.end()}, {faces.begin(), faces.end()}});
     }
 
     void find_bad_edges() {
-        std::vector<Passage> passages;
-        passages.reserve(corners_.size());
-        for (std::size_t face = 0; face < face_count(); ++face) {
-            const Corners corner = corners(face);
-            for (std::size_t i = 0; i < 3; ++i) passages.push_back({corner[i], corner[(i + 1) % 3], face});
-        }
-        std::ranges::stable_sort(passages, {}, &Passage::edge);
-        for (std::size_t first = 0; first < passages.size();) {
-            std::size_t last = first;
-            while (last < passages.size() && passages[last].edge() == passages[first].edge()) ++last;
-            check_edge(std::span(passages).subspan(first, last - first));
-            first = last;
-        }
+        sides_ = sides_by_edge(faces_, left_out_);
+        for_each_edge(sides_, [this](std::span<const FaceSide> sides) {
+            const bool same_way = sides.size() == 2 && sides[0].from == sides[1].from;
+            if (sides.size() < 2 || (sides.size() == 2 && !same_way)) return;
+            const auto [a, b] = sides.front().edge();
+            MeshFault fault{same_way ? MeshFaultKind::Orientation : MeshFaultKind::NonManifoldEdge, {a, b}, {}};
+            for (const FaceSide& side : sides) fault.faces.push_back(side.face);
+            add(std::move(fault));
+        });
     }
 
-    void check_edge(std::span<const Passage> passages) {
-        const bool same_way = passages.size() == 2 && passages[0].from == passages[1].from;
-        if (passages.size() < 2 || (passages.size() == 2 && !same_way)) return;
-        const auto [a, b] = passages.front().edge();
-        MeshFault fault{same_way ? MeshFaultKind::Orientation : MeshFaultKind::NonManifoldEdge, {a, b}, {}};
-        for (const Passage& passage : passages) fault.faces.push_back(passage.face);
+    /// The faces at a vertex are one fan, unless they follow one another but for some.
+    void find_bad_vertices() {
+        JoinedFaces joined(faces_);
+        std::vector<std::size_t> count(vertex_count_); // faces at each
+        std::vector<std::uint32_t> some(vertex_count_, no_side);
+        for_each_edge(sides_, [&](std::span<const FaceSide> sides) {
+            if (sides.size() == 2) joined.join(sides[0].side, sides[1].side);
+            for (const FaceSide& side : sides) {
+                ++count[side.from];
+                some[side.from] = side.side;
+            }
+        });
+        std::vector<bool> is_split(vertex_count_);
+        for (std::size_t vertex = 0; vertex < vertex_count_; ++vertex)
+            is_split[vertex] =
+                count[vertex] > 0 && !has_fault_[vertex] && joined.fan_size(some[vertex]) < count[vertex];
+        add_split_vertices(is_split);
+        add_isolated_vertices();
+    }
+
+    void add_split_vertices(const std::vector<bool>& is_split) {
+        if (std::ranges::find(is_split, true) == is_split.end()) return;
+        std::vector<std::vector<std::size_t>> faces_at(vertex_count_);
+        for (std::size_t face = 0; face < faces_.size(); ++face)
+            for (const std::uint32_t corner : faces_[face])
+                if (!left_out_[face] && is_split[corner]) faces_at[corner].push_back(face);
+        for (std::size_t vertex = 0; vertex < vertex_count_; ++vertex)
+            if (is_split[vertex])
+                faults_.push_back({MeshFaultKind::NonManifoldVertex,
+                                   {static_cast<std::uint32_t>(vertex)},
+                                   std::move(faces_at[vertex])});
+    }
+
+    void add_isolated_vertices() {
+        std::vector<bool> is_used(vertex_count_);
+        for (const std::uint32_t corner : faces_.corners())
+            if (corner < vertex_count_) is_used[corner] = true;
+        for (std::size_t vertex = 0; vertex < vertex_count_; ++vertex)
+            if (!is_used[vertex])
+                faults_.push_back({MeshFaultKind::IsolatedVertex, {static_cast<std::uint32_t>(vertex)}, {}});
+    }
+
+    /// A fault that makes a face useless, and says nothing about its other corners.
+    void leave_out(std::size_t face, MeshFault fault) {
+        left_out_[face] = true;
+        for (const std::uint32_t corner : faces_[face])
+            if (corner < vertex_count_) has_fault_[corner] = true;
         faults_.push_back(std::move(fault));
     }
 
-    /// The faces at a vertex hang together by edges at it, or there are fans.
-    void find_bad_vertices() {
-        std::vector<std::vector<std::size_t>> faces_at(vertex_count_);
-        for (std::size_t face = 0; face < face_count(); ++face)
-            for (const std::uint32_t corner : corners(face)) faces_at[corner].push_back(face);
-        for (std::size_t vertex = 0; vertex < vertex_count_; ++vertex) {
-            const auto name = static_cast<std::uint32_t>(vertex);
-            if (faces_at[vertex].empty()) faults_.push_back({MeshFaultKind::IsolatedVertex, {name}, {}});
-            if (fan_count(name, faces_at[vertex]) > 1)
-                faults_.push_back({MeshFaultKind::NonManifoldVertex, {name}, faces_at[vertex]});
-        }
-    }
-
-    /// Each face at the vertex goes in by one neighbour and out by another: fans are the chains and rings of these.
-    [[nodiscard]] std::size_t fan_count(std::uint32_t vertex, const std::vector<std::size_t>& faces) const {
-        std::map<std::uint32_t, std::uint32_t> after;
-        std::map<std::uint32_t, std::uint32_t> before;
-        for (const std::size_t face : faces) {
-            const Corners corner = corners(face);
-            const auto at = static_cast<std::size_t>(std::ranges::find(corner, vertex) - corner.begin());
-            after.emplace(corner[(at + 1) % 3], corner[(at + 2) % 3]);
-            before.emplace(corner[(at + 2) % 3], corner[(at + 1) % 3]);
-        }
-        std::size_t fans = 0;
-        while (!after.empty()) {
-            ++fans;
-            std::uint32_t neighbour = after.begin()->first;
-            while (before.contains(neighbour) && before.at(neighbour) != after.begin()->first)
-                neighbour = before.at(neighbour);
-            for (auto found = after.find(neighbour); found != after.end(); found = after.find(neighbour)) {
-                neighbour = found->second;
-                before.erase(neighbour);
-                after.erase(found);
-            }
-        }
-        return fans;
+    void add(MeshFault fault) {
+        for (const std::uint32_t vertex : fault.vertices) has_fault_[vertex] = true;
+        faults_.push_back(std::move(fault));
     }
 
     std::size_t vertex_count_;
-    std::span<const std::uint32_t> corners_;
+    const FaceList& faces_;
+    std::vector<bool> left_out_;  ///< faces that count for no edge
+    std::vector<bool> has_fault_; ///< vertices whose fans say nothing
+    std::vector<FaceSide> sides_;
     std::vector<MeshFault> faults_;
 };
 
 } // namespace
 
-std::string description(const MeshFault& fault) {
-    const std::string vertices = listed(fault.vertices, " ");
-    const std::string faces = listed(fault.faces, ", ");
+std::string_view name_of(MeshFaultKind kind) {
+    switch (kind) {
+    case MeshFaultKind::TooLarge:
+        return "too large";
+    case MeshFaultKind::IndexOutOfRange:
+        return "index out of range";
+    case MeshFaultKind::DegenerateFace:
+        return "degenerate face";
+    case MeshFaultKind::DuplicateFace:
+        return "duplicate face";
+    case MeshFaultKind::Orientation:
+        return "orientation";
+    case MeshFaultKind::NonManifoldEdge:
+        return "non-manifold edge";
+    case MeshFaultKind::NonManifoldVertex:
+        return "non-manifold vertex";
+    case MeshFaultKind::IsolatedVertex:
+        break;
+    }
+    return "isolated vertex";
+}
+
+std::string description(const MeshFault& fault, std::size_t base) {
+    const std::string vertices = listed(fault.vertices, base, " ");
+    const std::string faces = listed(fault.faces, base, ", ");
     switch (fault.kind) {
     case MeshFaultKind::TooLarge:
         return "more than " + std::to_string(most_half_edges) + " vertices or corners of faces, the limit";
     case MeshFaultKind::IndexOutOfRange:
         return "face " + faces + " has a corner " + vertices + ", and no vertex has that number";
     case MeshFaultKind::DegenerateFace:
-        return "face " + faces + " has a corner twice: " + vertices;
+        return "face " + faces +
+               (fault.vertices.size() < 3 ? " has fewer than three corners: " : " has a corner twice: ") + vertices;
     case MeshFaultKind::DuplicateFace:
         return "faces " + faces + " have the same corners " + vertices;
     case MeshFaultKind::Orientation:
@@ -173,14 +196,13 @@ std::string description(const MeshFault& fault) {
     case MeshFaultKind::NonManifoldVertex:
         return "the faces at vertex " + vertices + " are more than one fan: " + faces;
     case MeshFaultKind::IsolatedVertex:
-        return "vertex " + vertices + " has no face";
+        break;
     }
-    return {};
+    return "vertex " + vertices + " has no face";
 }
 
-std::vector<MeshFault> mesh_faults(std::size_t vertex_count, std::span<const std::uint32_t> corners) {
-    if (corners.size() % 3 != 0) throw std::invalid_argument("corners of triangles come in threes");
-    return FaultFinder(vertex_count, corners).find();
+std::vector<MeshFault> mesh_faults(std::size_t vertex_count, const FaceList& faces) {
+    return FaultFinder(vertex_count, faces).find();
 }
 
 } // namespace internode

@@ -2,6 +2,8 @@
 
 #include "internode/mesh/triangle_mesh.h"
 
+#include "internode/mesh/face_sides.h"
+
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -9,39 +11,25 @@
 namespace internode {
 namespace {
 
-/// The half-edge that goes the other way, for each: directed edges sorted by their ends.
-std::vector<HalfEdge> twins_of(const std::vector<Vertex>& origin) {
-    struct Directed {
-        Vertex from;
-        Vertex to;
-        HalfEdge h;
-
-        [[nodiscard]] std::pair<Vertex, Vertex> ends() const { return std::minmax(from, to); }
-    };
-    std::vector<Directed> all;
-    all.reserve(origin.size());
-    for (std::size_t h = 0; h < origin.size(); ++h) {
-        const auto handle = handle_of<HalfEdge>(h);
-        all.push_back({origin[h], origin[to_index(TriangleMesh::next(handle))], handle});
-    }
-    std::ranges::sort(all, {}, &Directed::ends);
-    std::vector<HalfEdge> twins(origin.size(), no_half_edge);
-    for (std::size_t i = 0; i + 1 < all.size(); ++i) {
-        if (all[i].ends() != all[i + 1].ends()) continue;
-        twins[to_index(all[i].h)] = all[i + 1].h;
-        twins[to_index(all[i + 1].h)] = all[i].h;
-    }
+/// The half-edge that goes the other way, for each.
+std::vector<HalfEdge> twins_of(const FaceList& faces) {
+    const JoinedFaces joined = joined_faces(faces);
+    std::vector<HalfEdge> twins;
+    twins.reserve(joined.side_count());
+    for (std::uint32_t side = 0; side < joined.side_count(); ++side)
+        twins.push_back(joined.twin(side) == no_side ? no_half_edge : HalfEdge{joined.twin(side)});
     return twins;
 }
 
 } // namespace
 
 TriangleMesh::TriangleMesh(std::size_t vertex_count, std::span<const std::uint32_t> corners) {
-    const std::vector<MeshFault> faults = mesh_faults(vertex_count, corners);
+    const FaceList faces = triangles(corners);
+    const std::vector<MeshFault> faults = mesh_faults(vertex_count, faces);
     if (!faults.empty()) throw std::invalid_argument(description(faults.front()));
     origin_.reserve(corners.size());
     for (const std::uint32_t corner : corners) origin_.push_back(Vertex{corner});
-    twin_ = twins_of(origin_);
+    twin_ = twins_of(faces);
     edge_of_.resize(corners.size());
     outgoing_.assign(vertex_count, no_half_edge);
     vertex_level_.assign(vertex_count, 0);

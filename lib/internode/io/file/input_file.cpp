@@ -81,7 +81,7 @@ private:
 
     std::optional<FileError> take(std::string_view bytes) {
         assert(result_.text.size() <= options_.max_bytes);
-        const std::size_t zero = bytes.find('\0');
+        const std::size_t zero = options_.may_be_binary ? std::string_view::npos : bytes.find('\0');
         if (zero != std::string_view::npos) return not_text(bytes.substr(0, zero));
         if (bytes.size() > options_.max_bytes - result_.text.size())
             return too_large(result_.source, options_.max_bytes);

@@ -4,7 +4,7 @@
 //
 // Nothing the path can name makes this hang or eat memory: a folder, a socket, /dev/zero, a sparse file of terabytes, a
 // FIFO that nobody writes to. A regular file beyond the limit is refused by its size, unread; a byte 0 ends the reading
-// (no text format of ours has one), so that endless zeros end with the first chunk.
+// of a text (no text format of ours has one), so that endless zeros end with the first chunk.
 
 #pragma once
 
@@ -26,6 +26,7 @@ struct InputText {
 
 struct InputOptions {
     std::uint64_t max_bytes = max_file_bytes; ///< at most so many bytes are accepted
+    bool may_be_binary = false;               ///< a byte 0 is a byte like others
     ShouldStop should_stop = nullptr;
 };
 
