@@ -17,6 +17,9 @@ struct PieceView {
     std::size_t degree;
     const double* knots_hi;
     const double* knots_lo;
+
+    /// Groups of rows that are computed side by side, for an operation waits for the one before it.
+    static constexpr std::size_t groups = 2;
 };
 
 /// Only where the build has AVX2: INTERNODE_HAS_AVX2.
@@ -89,29 +92,26 @@ private:
     double lo_[most];
 };
 
-/// Groups of rows that are computed side by side, for an operation waits for the one before it.
-constexpr std::size_t blossom_groups = 2;
-
 /// The rows of each lane of each group; `sums` become the largest of the sums of each level.
 template<typename Real>
 inline void blossom_group_rows(const PieceView& piece, const KnotReciprocals& reciprocals, const double* hi,
-                               const double* lo, PairOf<Real> (*rows)[blossom_groups], Real* sums) {
+                               const double* lo, PairOf<Real> (*rows)[PieceView::groups], Real* sums) {
     constexpr std::size_t lanes = sizeof(Real) / sizeof(double);
     const std::size_t d = piece.degree;
     for (std::size_t level = d; level >= 1; --level) {
         // Level l has d - l + 1 reciprocals.
         const std::size_t first = (level - 1) * (d + 1) - (level - 1) * level / 2;
         const std::size_t last = d - level;
-        PairOf<Real> x[blossom_groups];
-        Real sum[blossom_groups]{};
-        for (std::size_t g = 0; g < blossom_groups; ++g)
+        PairOf<Real> x[PieceView::groups];
+        Real sum[PieceView::groups]{};
+        for (std::size_t g = 0; g < PieceView::groups; ++g)
             x[g] = load_lanes<Real>(hi + level - 1 + g * lanes, lo + level - 1 + g * lanes);
         // In place, from the right: entry i gives to i and i + 1, which is empty where i is the last.
         for (std::size_t i = last + 1; i-- > 0;) {
             const std::size_t knot = i + level - 1;
             const auto start = in_every_lane<Real>(piece.knots_hi[knot], piece.knots_lo[knot]);
             const auto reciprocal = reciprocals.at<Real>(first + i);
-            for (std::size_t g = 0; g < blossom_groups; ++g) {
+            for (std::size_t g = 0; g < PieceView::groups; ++g) {
                 const PairOf<Real> share = quick_sum(x[g], -start) * reciprocal;
                 const PairOf<Real> present = level == d ? in_every_lane<Real>(1, 0) : rows[i][g];
                 const PairOf<Real> given = level == d ? share : present * share;
@@ -120,9 +120,9 @@ inline void blossom_group_rows(const PieceView& piece, const KnotReciprocals& re
             }
         }
         for (std::size_t i = 0; i <= last + 1; ++i)
-            for (std::size_t g = 0; g < blossom_groups; ++g)
+            for (std::size_t g = 0; g < PieceView::groups; ++g)
                 sum[g] += rows[i][g].hi < 0 ? -rows[i][g].hi : rows[i][g].hi;
-        for (std::size_t g = 0; g < blossom_groups; ++g) sums[g] = sum[g] <= sums[g] ? sums[g] : sum[g];
+        for (std::size_t g = 0; g < PieceView::groups; ++g) sums[g] = sum[g] <= sums[g] ? sums[g] : sum[g];
     }
 }
 
@@ -135,11 +135,11 @@ inline double blossom_rows_by_lanes(const PieceView& piece, const double* hi, co
     KnotReciprocals reciprocals;
     reciprocals.set(piece, Real{});
     double largest = 0;
-    PairOf<Real> group[max_row_width][blossom_groups];
-    for (std::size_t first = 0; first < rows; first += blossom_groups * lanes) {
-        Real sums[blossom_groups]{};
+    PairOf<Real> group[max_row_width][PieceView::groups];
+    for (std::size_t first = 0; first < rows; first += PieceView::groups * lanes) {
+        Real sums[PieceView::groups]{};
         blossom_group_rows(piece, reciprocals, hi + first, lo + first, group, sums);
-        for (std::size_t at = 0; at < blossom_groups * lanes && first + at < rows; ++at) {
+        for (std::size_t at = 0; at < PieceView::groups * lanes && first + at < rows; ++at) {
             const std::size_t g = at / lanes;
             const std::size_t lane = at % lanes;
             if (largest == largest && !(sums[g][lane] <= largest)) largest = sums[g][lane]; // not-a-number stays
