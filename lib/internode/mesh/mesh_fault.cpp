@@ -59,10 +59,8 @@ private:
         std::vector<std::size_t> order;
         for (std::size_t face = 0; face < faces_.size(); ++face)
             if (!left_out_[face]) order.push_back(face);
-        std::ranges::sort(order, [&sorted](std::size_t a, std::size_t b) {
-            const auto difference = std::lexicographical_compare_three_way(sorted[a].begin(), sorted[a].end(),
-                                                                           sorted[b].begin(), sorted[b].end());
-            return difference != 0 ? difference < 0 : a < b;
+        std::ranges::stable_sort(order, [&sorted](std::size_t a, std::size_t b) {
+            return std::ranges::lexicographical_compare(sorted[a], sorted[b]);
         });
         for (std::size_t first = 0; first < order.size();) {
             std::size_t last = first + 1;

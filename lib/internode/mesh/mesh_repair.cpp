@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Dropping comes first. Then faces are joined along edges of two, turned component by component, and the corners that
-// joined faces share at a vertex are one vertex. Two faces may still meet at an edge by which they were not joined,
-// where both its ends are shared by other ways round: one of them gets ends of its own, and all is done again.
+// joined faces share at a vertex are one vertex: a fan. Faces that were not joined at an edge may still share both its
+// ends, by ways round these. No more than two do, for a face has but one other edge at an end; and as they close a fan
+// that agrees in its direction, they pass the edge in both: what is made is a manifold.
 
 #include "internode/mesh/mesh_repair.h"
 
@@ -51,15 +52,10 @@ public:
     }
 
     RepairedMesh run() && {
-        for (is_first_round_ = true;; is_first_round_ = false) {
-            join_and_turn();
-            split_vertices();
-            std::vector<MeshFault> left = mesh_faults(result_.vertices.size(), result_.faces);
-            std::erase_if(left, [](const MeshFault& fault) { return fault.kind == MeshFaultKind::IsolatedVertex; });
-            if (left.empty()) break;
-            part(left);
-        }
+        join_and_turn();
+        split_vertices();
         drop_isolated();
+        assert(mesh_faults(result_.vertices.size(), result_.faces).empty());
         return std::move(result_);
     }
 
@@ -108,7 +104,7 @@ private:
         JoinedFaces pairs(result_.faces); // sides that meet, in whatever direction
         for_each_edge(sides_by_edge(result_.faces), [&](std::span<const FaceSide> sides) {
             if (sides.size() == 2) pairs.join(sides[0].side, sides[1].side);
-            if (sides.size() > 2) count_cut();
+            if (sides.size() > 2) ++result_.done.edges_cut;
         });
         std::vector<bool> is_seen(result_.faces.size());
         std::vector<bool> is_turned(result_.faces.size());
@@ -153,7 +149,7 @@ private:
         for_each_edge(sides_by_edge(faces), [&](std::span<const FaceSide> sides) {
             if (sides.size() != 2) return;
             if (sides[0].from == sides[1].from) {
-                count_cut();
+                ++result_.done.edges_cut;
                 return;
             }
             sets.unite(sides[0].side, around.next(sides[1].side));
@@ -177,11 +173,6 @@ private:
         set_corners(corners);
     }
 
-    /// Later rounds cut what is left of edges that were counted.
-    void count_cut() {
-        if (is_first_round_) ++result_.done.edges_cut;
-    }
-
     std::uint32_t copy_of(std::uint32_t vertex) {
         result_.vertices.push_back(result_.vertices[vertex]);
         return static_cast<std::uint32_t>(result_.vertices.size() - 1);
@@ -192,17 +183,6 @@ private:
         for (std::size_t face = 0; face < result_.faces.size(); ++face)
             faces.add(corners.subspan(result_.faces.first(face), result_.faces[face].size()));
         result_.faces = std::move(faces);
-    }
-
-    /// Gives the faces of each fault, but for the first, corners of their own.
-    void part(const std::vector<MeshFault>& faults) {
-        std::vector<std::uint32_t> corners(result_.faces.corners().begin(), result_.faces.corners().end());
-        for (const MeshFault& fault : faults)
-            for (const std::size_t face : std::span(fault.faces).subspan(1))
-                for (std::size_t at = result_.faces.first(face); at < result_.faces.first(face + 1); ++at)
-                    if (std::ranges::find(fault.vertices, result_.faces.corners()[at]) != fault.vertices.end())
-                        corners[at] = copy_of(corners[at]);
-        set_corners(corners);
     }
 
     void drop_isolated() {
@@ -227,7 +207,6 @@ private:
     }
 
     std::size_t vertex_count_;
-    bool is_first_round_ = true;
     RepairedMesh result_;
 };
 

@@ -56,7 +56,7 @@ const std::string ascii_ply = "ply\r\nformat ascii 1.0\r\ncomment by hand\r\nele
 
 TEST(MeshFile, OfObjHasFacesOfAnySizeByAnyNumbers) {
     const MeshFile file =
-        file_of("# a comment\nv 0 0 0\nv 1 0 0 1 0 0\n  v 1 1 \\\n 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n"
+        file_of("# a comment\nv 0 0 0\nv 1 0 0 .5 .6 .7\n  v 1 1 \\\n 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n"
                 "o thing\ng part\nusemtl red\ns 1\nf 1/1 2/1/1 3//1 -1\nf 1 4 5\nv 0 0 1\nf 3 2 -1\n");
     EXPECT_EQ(file.format, MeshFileFormat::Obj);
     EXPECT_EQ(file.base(), 1U);
@@ -78,7 +78,7 @@ TEST(MeshFile, OfObjHasWhatIsSharp) {
 
 TEST(MeshFile, OfOffHasItsElementsWhateverFollowsThem) {
     const MeshFile file =
-        file_of("# first\nCOFF # colours\n4 2\t9\n0 0 0 255 0 0\n1 0 0 0 0 0 # here\n\n1 1 0\n0 1 .5\n"
+        file_of("# first\nCOFF # colours\n4 2\t9\n0 0 0 255 0 0\n1 0 0 0 0 0 # here\n\n1 1 0\n0 1 .5# glued\n"
                 "3 0 1 2 0.5 0.5 0.5\n4 0 1 2 3\n");
     EXPECT_EQ(file.format, MeshFileFormat::Off);
     EXPECT_THAT(file.mesh.points, ElementsAre(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, .5));
