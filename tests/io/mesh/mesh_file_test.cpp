@@ -57,7 +57,7 @@ const std::string ascii_ply = "ply\r\nformat ascii 1.0\r\ncomment by hand\r\nele
 TEST(MeshFile, OfObjHasFacesOfAnySizeByAnyNumbers) {
     const MeshFile file =
         file_of("# a comment\nv 0 0 0\nv 1 0 0 .5 .6 .7\n  v 1 1 \\\n 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n"
-                "o thing\ng part\nusemtl red\ns 1\nf 1/1 2/1/1 3//1 -1\nf 1 4 5\nv 0 0 1\nf 3 2 -1\n");
+                "o thing\ng part\nusemtl red\ns 1\nf 1/1 2/1/1 3//1 -1\nf 1// 4/ 5/1/\nv 0 0 1\nf 3 2 -1\n");
     EXPECT_EQ(file.format, MeshFileFormat::Obj);
     EXPECT_EQ(file.base(), 1U);
     EXPECT_THAT(file.mesh.points, ElementsAre(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1));
@@ -170,7 +170,9 @@ TEST(MeshFile, RefusesWithThePlace) {
         {"v 0 x 0\n", "1:5: `x` is not a number within the range of doubles"},
         {"v 0 0\n", "1:1: a vertex needs x, y and z"},
         {"v 0 0 0\nf\n", "2:1: a face needs corners"},
-        {"v 0 0 0\nf 1 1/ 1\n", "2:5: `1/` is not a corner"},
+        {"v 0 0 0\nf 1 /1 1\n", "2:5: `/1` is not a corner"},
+        {"v 0 0 0\nf 1 1/0 1\n", "2:5: `1/0` is not a corner"},
+        {"v 0 0 0\nf 1 1/// 1\n", "2:5: `1///` is not a corner"},
         {"v 0 0 0\nf 1 0 1\n", "2:5: `0` is not a corner"},
         {"v 0 0 0\nf 1 1//x 1\n", "2:5: `1//x` is not a corner"},
         {"v 0 0 0\nf 1 1/1/1/1 1\n", "2:5: `1/1/1/1` is not a corner"},

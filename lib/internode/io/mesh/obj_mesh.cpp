@@ -90,23 +90,27 @@ private:
         file_.face_lines.push_back(line_of(keyword));
     }
 
-    /// The vertex of `3`, `3/7`, `3//2`, `3/7/2` or `-1`, from 0.
+    /// The vertex of `3`, `3/7`, `3//2`, `3/7/2` or `-1`, from 0. Some write `3//`.
     std::optional<std::uint32_t> corner_of(const ObjWord& word) {
-        std::string_view rest = word.text;
-        std::optional<std::int64_t> vertex;
-        for (int part = 0; part < 3; ++part) {
-            const std::size_t slash = std::min(rest.find('/'), rest.size());
-            const std::string_view number = rest.substr(0, slash);
-            const auto value = parse_integer(number);
-            const bool may_be_left_out = part == 1 && slash < rest.size() && number.empty();
-            if ((!value || *value == 0) && !may_be_left_out) break;
-            if (part == 0) vertex = value;
-            if (slash == rest.size()) return placed(word, *vertex);
-            rest.remove_prefix(slash + 1);
-        }
+        const std::size_t slash = std::min(word.text.find('/'), word.text.size());
+        const auto vertex = parse_integer(word.text.substr(0, slash));
+        if (vertex && *vertex != 0 && are_references(word.text.substr(slash))) return placed(word, *vertex);
         refuse(word, obj_quoted(word.text) + " is not a corner");
         errors_.back().hint = "write 3, 3/7, 3//2 or 3/7/2; numbers count from 1, or from -1 backwards";
         return std::nullopt;
+    }
+
+    /// Whether the rest of a corner is at most a texture coordinate and a normal, each behind a `/` and perhaps left
+    /// out.
+    [[nodiscard]] static bool are_references(std::string_view rest) {
+        for (int part = 0; part < 2 && !rest.empty(); ++part) {
+            rest.remove_prefix(1);
+            const std::size_t slash = std::min(rest.find('/'), rest.size());
+            const auto value = parse_integer(rest.substr(0, slash));
+            if (slash > 0 && (!value || *value == 0)) return false;
+            rest.remove_prefix(slash);
+        }
+        return rest.empty();
     }
 
     std::optional<std::uint32_t> placed(const ObjWord& word, std::int64_t vertex) {
