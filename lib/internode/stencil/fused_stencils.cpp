@@ -24,6 +24,11 @@ constexpr double largest_sum = 0x1p40;
 
 } // namespace
 
+struct IntervalFuser::Lengths {
+    std::vector<DoubleDouble> of_symbol;
+    DoubleDouble ratio;
+};
+
 /// Fills a table for one number of steps; what it needs for a state is kept for the next one.
 class IntervalFuser::Rows {
 public:
@@ -217,10 +222,11 @@ std::optional<FusedStencils> IntervalFuser::table(int steps, const std::vector<b
 }
 
 const IntervalFuser::Lengths& IntervalFuser::lengths() {
-    if (!lengths_) {
-        lengths_.emplace();
-        for (const Number& length : system_.lengths()) lengths_->of_symbol.push_back(to_double_double(length));
-        lengths_->ratio = to_double_double(system_.ratio());
+    if (lengths_ == nullptr) {
+        Lengths made;
+        for (const Number& length : system_.lengths()) made.of_symbol.push_back(to_double_double(length));
+        made.ratio = to_double_double(system_.ratio());
+        lengths_ = std::make_shared<const Lengths>(std::move(made));
     }
     return *lengths_;
 }

@@ -9,7 +9,6 @@
 
 #pragma once
 
-#include "internode/algebra/double_double.h"
 #include "internode/stencil/automaton.h"
 
 #include <cstdint>
@@ -46,16 +45,13 @@ public:
     [[nodiscard]] std::optional<FusedStencils> table(int steps, const std::vector<bool>& wanted);
 
 private:
-    struct Lengths {
-        std::vector<DoubleDouble> of_symbol;
-        DoubleDouble ratio;
-    };
+    struct Lengths; // of 106 bits
     class Rows;
     const Lengths& lengths();
 
     std::shared_ptr<const StencilAutomaton> automaton_;
     const IntervalSystem& system_;
-    std::optional<Lengths> lengths_;
+    std::shared_ptr<const Lengths> lengths_; ///< none before they are asked for
 };
 
 } // namespace internode
