@@ -58,7 +58,7 @@ private:
 /// \throw std::invalid_argument for fewer, TooManyStates
 [[nodiscard]] Curve refine(const Curve& curve, int steps, const ApplyOptions& options = {});
 
-/// The word after one step, cut as above.
+/// The word after `steps` >= 0 steps, cut as above. \throw std::invalid_argument for fewer
 [[nodiscard]] Word refined_word(const Morphism& rules, WordView word, int degree, Ends ends, int steps = 1);
 [[nodiscard]] Word refined_word(const Knots& knots, int steps = 1);
 

@@ -37,6 +37,14 @@ private:
     std::vector<std::uint32_t> corners_;
 };
 
+/// Each set of corners that several faces have, with these, ascending; of the faces that are not left out, an entry for
+/// each face.
+struct FaceCopies {
+    std::vector<std::uint32_t> corners; ///< ascending
+    std::vector<std::size_t> faces;
+};
+[[nodiscard]] std::vector<FaceCopies> copies_of_faces(const FaceList& faces, const std::vector<bool>& left_out);
+
 /// Three corners a face. \throw std::invalid_argument for corners that are not threes
 [[nodiscard]] FaceList triangles(std::span<const std::uint32_t> corners);
 

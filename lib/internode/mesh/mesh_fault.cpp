@@ -5,7 +5,6 @@
 #include "internode/mesh/face_sides.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace internode {
 namespace {
@@ -50,29 +49,10 @@ private:
     }
 
     void find_duplicate_faces() {
-        FaceList sorted; // each with its corners ascending
-        for (std::size_t face = 0; face < faces_.size(); ++face) {
-            std::vector<std::uint32_t> corners(faces_[face].begin(), faces_[face].end());
-            std::ranges::sort(corners);
-            sorted.add(corners);
+        for (FaceCopies& copies : copies_of_faces(faces_, left_out_)) {
+            for (const std::size_t face : std::span(copies.faces).subspan(1)) left_out_[face] = true;
+            add({MeshFaultKind::DuplicateFace, std::move(copies.corners), std::move(copies.faces)});
         }
-        std::vector<std::size_t> order;
-        for (std::size_t face = 0; face < faces_.size(); ++face)
-            if (!left_out_[face]) order.push_back(face);
-        std::ranges::stable_sort(order, [&sorted](std::size_t a, std::size_t b) {
-            return std::ranges::lexicographical_compare(sorted[a], sorted[b]);
-        });
-        for (std::size_t first = 0; first < order.size();) {
-            std::size_t last = first + 1;
-            while (last < order.size() && std::ranges::equal(sorted[order[first]], sorted[order[last]])) ++last;
-            if (last - first > 1) add_duplicates(sorted[order[first]], std::span(order).subspan(first, last - first));
-            first = last;
-        }
-    }
-
-    void add_duplicates(std::span<const std::uint32_t> corners, std::span<const std::size_t> faces) {
-        for (const std::size_t face : faces.subspan(1)) left_out_[face] = true;
-        add({MeshFaultKind::DuplicateFace, {corners.begin(), corners.end()}, {faces.begin(), faces.end()}});
     }
 
     void find_bad_edges() {

@@ -81,10 +81,8 @@ private:
 
     void drop_duplicates() {
         std::vector<bool> is_copy(result_.faces.size());
-        for (const MeshFault& fault : mesh_faults(result_.vertices.size(), result_.faces)) {
-            if (fault.kind != MeshFaultKind::DuplicateFace) continue;
-            for (std::size_t i = 1; i < fault.faces.size(); ++i) is_copy[fault.faces[i]] = true;
-        }
+        for (const FaceCopies& copies : copies_of_faces(result_.faces, is_copy))
+            for (const std::size_t face : std::span(copies.faces).subspan(1)) is_copy[face] = true;
         FaceList kept;
         std::vector<std::uint32_t> before;
         for (std::size_t face = 0; face < result_.faces.size(); ++face) {

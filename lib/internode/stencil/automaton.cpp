@@ -196,7 +196,7 @@ void for_each_cell(WordView word, int degree, Ends ends, Visit visit) {
     if (open && (word[d] == zero_interval || word[count - 1] == zero_interval))
         throw std::invalid_argument("the domain begins or ends with an empty interval");
     for (std::size_t k = 0; k < count; ++k) {
-        const std::size_t lead = open && k < d ? d - k : word[k] == zero_interval ? zeros_from(word, k, d) : 0;
+        const std::size_t lead = open && k < d ? d - k : zeros_from(word, k, d);
         if (lead > d) throw std::invalid_argument("more than d intervals in a row are empty");
         visit(k, static_cast<std::uint32_t>(lead));
     }

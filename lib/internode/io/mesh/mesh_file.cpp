@@ -26,8 +26,10 @@ MeshFileFormat mesh_format(std::string_view bytes) {
     return is_off(bytes) ? MeshFileFormat::Off : MeshFileFormat::Obj;
 }
 
-ParsedMesh read_mesh(std::string_view bytes, std::string_view source) {
-    switch (mesh_format(bytes)) {
+namespace {
+
+ParsedMesh read(std::string_view bytes, std::string_view source, MeshFileFormat format) {
+    switch (format) {
     case MeshFileFormat::Obj:
         return read_obj_mesh(bytes, source);
     case MeshFileFormat::Off:
@@ -38,6 +40,18 @@ ParsedMesh read_mesh(std::string_view bytes, std::string_view source) {
         break;
     }
     return read_stl_mesh(bytes, source);
+}
+
+} // namespace
+
+ParsedMesh read_mesh(std::string_view bytes, std::string_view source) {
+    const MeshFileFormat format = mesh_format(bytes);
+    ParsedMesh parsed = read(bytes, source, format);
+    if (parsed.file) {
+        parsed.file->source = source;
+        parsed.file->format = format;
+    }
+    return parsed;
 }
 
 } // namespace internode

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The readers behind read_mesh(), one a format. Not installed.
+// The readers behind read_mesh(), one a format; read_mesh() says what the file is called. Not installed.
 
 #pragma once
 

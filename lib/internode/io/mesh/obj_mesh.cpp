@@ -4,8 +4,8 @@
 // Tags `t crease` and `t corner` are those of OpenSubdiv's shapes: `t NAME ints/floats/strings` and so many of each.
 
 #include "internode/io/mesh/mesh_readers.h"
+#include "internode/io/mesh/number_pieces.h"
 
-#include "internode/io/file/limits.h"
 #include "internode/io/obj/obj_statement.h"
 #include "internode/text/number.h"
 #include "internode/text/place.h"
@@ -30,10 +30,7 @@ public:
     ObjMeshReader(std::string_view text, std::string_view source)
         : text_(text)
         , source_(source)
-        , words_(text) {
-        file_.source = source;
-        file_.format = MeshFileFormat::Obj;
-    }
+        , words_(text) {}
 
     ParsedMesh read() && {
         while (errors_.size() < max_polygon_errors) {
@@ -62,7 +59,7 @@ private:
     }
 
     void read_vertex(const ObjWord& keyword) {
-        if (file_.mesh.vertex_count() >= max_mesh_vertices) return refuse_limit(keyword, "vertices");
+        if (file_.mesh.vertex_count() >= max_mesh_vertices) return refuse(keyword, beyond_mesh_limit("vertices"));
         std::array<double, 3> point{};
         std::size_t count = 0;
         while (const auto word = words_.next()) {
@@ -80,7 +77,7 @@ private:
         std::vector<std::uint32_t> corners;
         while (const auto word = words_.next()) {
             if (file_.mesh.faces.corners().size() + corners.size() >= max_mesh_vertices)
-                return refuse_limit(*word, "corners of faces");
+                return refuse(*word, beyond_mesh_limit("corners of faces"));
             const auto corner = corner_of(*word);
             if (!corner) return;
             corners.push_back(*corner);
@@ -184,10 +181,6 @@ private:
         known_place_ = place_of(text_, word.offset, known_offset_, known_place_);
         known_offset_ = word.offset;
         return static_cast<std::uint32_t>(known_place_.line);
-    }
-
-    void refuse_limit(const ObjWord& word, std::string_view what) {
-        refuse(word, "more than " + std::to_string(max_mesh_vertices) + ' ' + std::string(what) + ", the limit");
     }
 
     void refuse(const ObjWord& word, std::string message) {

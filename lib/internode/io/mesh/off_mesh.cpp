@@ -25,10 +25,7 @@ std::string_view without_prefixes(std::string_view keyword) {
 class OffReader {
 public:
     OffReader(std::string_view text, std::string_view source)
-        : lines_(text, source, {}) {
-        file_.source = source;
-        file_.format = MeshFileFormat::Off;
-    }
+        : lines_(text, source, {}) {}
 
     ParsedMesh read() && {
         if (read_keyword() && read_counts() && read_vertices()) read_faces();

@@ -127,12 +127,9 @@ private:
 template<class Rows>
 class PlyReader {
 public:
-    PlyReader(const PlyHeader& header, Rows rows, std::string_view source)
+    PlyReader(const PlyHeader& header, Rows rows)
         : header_(header)
-        , rows_(std::move(rows)) {
-        file_.source = source;
-        file_.format = MeshFileFormat::Ply;
-    }
+        , rows_(std::move(rows)) {}
 
     ParsedMesh read() && {
         bool has_faces = false;
@@ -270,9 +267,8 @@ ParsedMesh read_ply_mesh(std::string_view bytes, std::string_view source) {
     if (!parsed.header) return {std::nullopt, std::move(parsed.errors)};
     const PlyHeader& header = *parsed.header;
     const std::string_view data = bytes.substr(header.bytes);
-    if (header.encoding == PlyEncoding::Ascii)
-        return PlyReader(header, TextRows(data, source, header.lines), source).read();
-    return PlyReader(header, BinaryRows(data, source, header.encoding == PlyEncoding::BigEndian), source).read();
+    if (header.encoding == PlyEncoding::Ascii) return PlyReader(header, TextRows(data, source, header.lines)).read();
+    return PlyReader(header, BinaryRows(data, source, header.encoding == PlyEncoding::BigEndian)).read();
 }
 
 } // namespace internode

@@ -54,10 +54,7 @@ void weld(const std::vector<Point>& corners, MeshFile& file) {
 class StlTextReader {
 public:
     StlTextReader(std::string_view text, std::string_view source)
-        : lines_(text, source, {}) {
-        file_.source = source;
-        file_.format = MeshFileFormat::Stl;
-    }
+        : lines_(text, source, {}) {}
 
     ParsedMesh read() && {
         while (lines_.next() && lines_.errors().size() < max_polygon_errors) {
@@ -140,8 +137,6 @@ ParsedMesh read_binary_stl(std::string_view bytes, std::string_view source) {
         }
     ParsedMesh parsed;
     parsed.file.emplace();
-    parsed.file->source = source;
-    parsed.file->format = MeshFileFormat::Stl;
     weld(corners, *parsed.file);
     return parsed;
 }
